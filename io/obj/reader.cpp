@@ -159,6 +159,9 @@ class Reader {
   /// How many elements of a kind the faces need so far, and the first line that needs so many.
   struct Need {
     std::size_t count = 0, line = 0;
+    int first_before =
+        0;  ///< The first index that counts back to before the first element; 0: there is none.
+    std::size_t line_before = 0;
   };
 
   static Reader& self(void* reader) { return *static_cast<Reader*>(reader); }
@@ -279,9 +282,12 @@ class Reader {
     ObjFaces& faces = faces_of(all(2), all(1));
     const std::size_t begin = lines_.begin();
     for (const auto& [vertex, uv, normal] : corners_) {
-      ObjCorner read{element(vertex, model_.positions.size(), "vertices", begin, positions_)};
-      if (faces.has_normals) read.normal = element(normal, model_.normals.size(), "normals", begin, normals_);
-      if (faces.has_uvs) read.uv = element(uv, model_.uvs.size(), "texture coordinates", begin, uvs_);
+      if (vertex < 0 && std::size_t(-std::int64_t(vertex)) > model_.positions.size())
+        fail(fmt::format("there is no element {} among the {} vertices so far", vertex,
+                         model_.positions.size()));
+      ObjCorner read{element(vertex, model_.positions.size(), begin, positions_)};
+      if (faces.has_normals) read.normal = element(normal, model_.normals.size(), begin, normals_);
+      if (faces.has_uvs) read.uv = element(uv, model_.uvs.size(), begin, uvs_);
       faces.corners.push_back(read);
     }
     faces.sizes.push_back(std::uint32_t(corners_.size()));
@@ -294,25 +300,46 @@ class Reader {
     return model_.faces[entry->second];
   }
 
-  /// Indices count from 1; from -1 downwards, from the last element back. The others may have elements that
-  /// follow, and are checked at the end.
-  std::uint32_t element(int index, std::size_t count, const char* what, std::size_t line, Need& need) const {
-    if (index < 0 && std::size_t(-std::int64_t(index)) > count)
-      fail(fmt::format("there is no element {} among the {} {} so far", index, count, what));
-    if (index < 0) return std::uint32_t(std::int64_t(count) + index);
-    if (std::size_t(index) > need.count) need = {std::size_t(index), line};
-    return std::uint32_t(index) - 1;
+  /// Indices count from 1; from -1 downwards, from the last of `count` elements back. Others may have
+  /// elements that follow: what there is not is found at the end.
+  static std::uint32_t element(int index, std::size_t count, std::size_t line, Need& need) {
+    const std::int64_t place = index < 0 ? std::int64_t(count) + index : std::int64_t(index) - 1;
+    if (place < 0) {
+      if (need.first_before == 0) need.first_before = index, need.line_before = line;
+      return no_element;
+    }
+    if (std::size_t(place) >= need.count) need.count = std::size_t(place) + 1, need.line = line;
+    return std::uint32_t(place);
   }
 
-  void check_indices() const {
-    const auto check = [&](const Need& need, std::size_t count, const char* what) {
-      if (need.count > count)
-        throw error_at(lines_.place(need.line),
-                       fmt::format("there is no element {} among the {} {}", need.count, count, what));
+  void check_indices() {
+    if (positions_.count > model_.positions.size())
+      throw error_at(lines_.place(positions_.line),
+                     no_such(std::int64_t(positions_.count), model_.positions.size(), "vertices"));
+    replace_missing(&ObjCorner::normal, &ObjFaces::has_normals, normals_, model_.normals,
+                    "normals: those of the triangles stand for them");
+    replace_missing(&ObjCorner::uv, &ObjFaces::has_uvs, uvs_, model_.uvs,
+                    "texture coordinates: 0 stands for them");
+  }
+  static std::string no_such(std::int64_t index, std::size_t count, const char* what) {
+    return fmt::format("there is no element {} among the {} {}", index, count, what);
+  }
+  /// Gives corners whose element there is not one of zeros, with a warning for the first such index that
+  /// counts back, and for the largest one.
+  template <typename Element>
+  void replace_missing(std::uint32_t ObjCorner::*part, bool ObjFaces::*is_asked, const Need& need,
+                       std::vector<Element>& elements, const char* what) {
+    const std::size_t count = elements.size();
+    if (need.first_before == 0 && need.count <= count) return;
+    const auto warn_of = [&](std::int64_t index, std::size_t line) {
+      warnings_.add([&] { return lines_.place(line); }, no_such(index, count, what));
     };
-    check(positions_, model_.positions.size(), "vertices");
-    check(normals_, model_.normals.size(), "normals");
-    check(uvs_, model_.uvs.size(), "texture coordinates");
+    if (need.first_before != 0) warn_of(need.first_before, need.line_before);
+    if (need.count > count) warn_of(std::int64_t(need.count), need.line);
+    elements.push_back({});
+    for (ObjFaces& faces : model_.faces)
+      if (faces.*is_asked)
+        for (ObjCorner& corner : faces.corners) corner.*part = std::min(corner.*part, std::uint32_t(count));
   }
 
   static constexpr std::string_view painted_mark = "#MRGB ";

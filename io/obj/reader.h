@@ -50,9 +50,9 @@ struct ObjModel {
 /// The bytes of the file of a name, or an Error.
 using ReadFile = std::function<std::string(const std::string& path)>;
 
-/// Reads a file, and the material files that it names. Throws Error, with the place, where a face has an
-/// index out of range or too many corners, or a vertex not three numbers, and for a file without faces. What
-/// is wrong with materials is a warning.
+/// Reads a file, and the material files that it names. Throws Error, with the place, where a face has a
+/// vertex that there is not or too many corners, or a vertex not three numbers, and for a file without faces.
+/// What is wrong with normals, texture coordinates and materials is a warning.
 ObjModel read_obj(const std::string& path, const ReadFile& read, WarningList& warnings);
 
 }  // namespace twinray

@@ -22,7 +22,7 @@ constexpr std::uint64_t longest_tile = 4096;  ///< The largest that is read, in 
 
 /// The bytes of a value of this type, if it has always as many.
 std::optional<std::uint32_t> size_of_type(std::string_view type) {
-  static const std::map<std::string_view, std::uint32_t> sizes{{"box2i", 16},
+  static const std::map<std::string_view, std::uint32_t> known{{"box2i", 16},
                                                                {"box2f", 16},
                                                                {"chromaticities", 32},
                                                                {"compression", 1},
@@ -46,8 +46,8 @@ std::optional<std::uint32_t> size_of_type(std::string_view type) {
                                                                {"v3i", 12},
                                                                {"v3f", 12},
                                                                {"v3d", 24}};
-  const auto found = sizes.find(type);
-  return found == sizes.end() ? std::nullopt : std::optional(found->second);
+  const auto found = known.find(type);
+  return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
 class HeaderReader {

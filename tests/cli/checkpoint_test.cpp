@@ -99,7 +99,7 @@ TEST_CASE("a second signal soon after the first is the same request, but for Ctr
   const std::string command = fmt::format(
       "cd {}; {} {} -r 48 36 -s 4000000 -t 1 -o a.pfm --checkpoint=a.ck --checkpoint-seconds=1000 "
       "--progress=json 2>errors & "
-      "program=$!; until grep -q samples errors; do sleep 0.05; done; ",
+      "program=$!; until grep -q 'samples_done\":[1-9]' errors; do sleep 0.05; done; ",
       quoted(folder.path().string()), quoted(TWINRAY_PROGRAM), quoted(box_scene));
   const auto code_after = [&](const std::string& signals) {
     return run_shell(command + signals + "; wait $program").exit_code;

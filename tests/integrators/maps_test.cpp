@@ -39,10 +39,10 @@ Mesh mapped_square() {
 /// The square's ridges: they rise and fall along x by this slope.
 Mesh ridges(float slope) {
   Mesh mesh;
-  const float width = 1 / float(teeth);
+  const float tooth = 1 / float(teeth);
   for (int i = 0; i < 2 * teeth; ++i) {
-    const float x0 = float(i) * width - 1, x1 = x0 + width;
-    const float y0 = i % 2 ? slope * width : 0, y1 = i % 2 ? 0 : slope * width;
+    const float x0 = float(i) * tooth - 1, x1 = x0 + tooth;
+    const float y0 = i % 2 ? slope * tooth : 0, y1 = i % 2 ? 0 : slope * tooth;
     add_triangle(mesh, {x0, y0, 1}, {x1, y1, 1}, {x1, y1, -1});
     add_triangle(mesh, {x0, y0, 1}, {x1, y1, -1}, {x0, y0, -1});
   }
@@ -80,15 +80,15 @@ void set_bump_map(Scene& scene, const Texture& map) {
 Texture rough_map() {
   Random random(9);
   Image image(16, 16);
-  for (Rgb& pixel : image.pixels)
-    pixel = encoded(normalize({random.unit() - 0.5f, random.unit() - 0.5f, 0.7f}));
+  for (Rgb& texel : image.pixels)
+    texel = encoded(normalize({random.unit() - 0.5f, random.unit() - 0.5f, 0.7f}));
   return picture_of(std::move(image), TextureFilter::bilinear);
 }
 
 Texture rough_heights() {
   Random random(10);
   Image image(16, 16);
-  for (Rgb& pixel : image.pixels) pixel = {0.05f * random.unit(), 0, 0};
+  for (Rgb& texel : image.pixels) texel = {0.05f * random.unit(), 0, 0};
   return picture_of(std::move(image), TextureFilter::bilinear);
 }
 

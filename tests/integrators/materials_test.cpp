@@ -20,14 +20,14 @@ Scene ball_of(const SurfaceModel& model) {
 }
 
 /// A square that is seen at 45 degrees, and a lamp where a mirror there shows it, which nothing else does.
-Scene mirror_scene(const SurfaceModel& model, EmissionSide side) {
+Scene mirror_scene(const SurfaceModel& model, EmissionSide lamp_side) {
   Scene scene = scene_of(floor_square(1, 0), {}, {0, 2, 2}, {0, 0, 0});
   scene.materials[0].model = model;
   scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
   Mesh lamp;
   lamp.positions = {{-1, 1, -2}, {1, 1, -2}, {0, 3, -2}};
   lamp.triangles = {{0, 1, 2}};
-  add_lamp(scene, lamp, {3, 2, 1}, side);
+  add_lamp(scene, lamp, {3, 2, 1}, lamp_side);
   return scene;
 }
 

@@ -179,11 +179,11 @@ TEST_CASE("ZBrush's colors of an OBJ file are those of the vertices before them"
 TEST_CASE("a material of an OBJ file whose faces are all painted stands only as the painted one") {
   const std::string vertices = "vt 0 0\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\n";
   const auto names = [](const LoadedScene& loaded) {
-    std::vector<std::string> names;
+    std::vector<std::string> all;
     for (const ShapeBinding& binding : loaded.scene.bindings)
-      names.push_back(loaded.scene.materials.at(binding.material).name);
+      all.push_back(loaded.scene.materials.at(binding.material).name);
     CHECK(loaded.scene.materials.size() == loaded.scene.bindings.size());
-    return names;
+    return all;
   };
   CHECK(names(load_obj_text(vertices + "f 1 2 3\n")) == std::vector<std::string>{"none"});
   const LoadedScene two = load_obj_text(

@@ -23,4 +23,21 @@ inline LoadedScene load_obj_text(const std::string& text,
   return make_scene(read_obj("scene.obj", read, warnings), options, warnings);
 }
 
+/// What is said of a file that is not read.
+inline std::string obj_error(const std::string& text) {
+  try {
+    load_obj_text(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+inline const Mesh& mesh_of(const LoadedScene& loaded, std::uint32_t shape = 0) {
+  return *loaded.scene.geometry->mesh(shape);
+}
+
+/// Four vertices, around a square.
+inline const std::string obj_square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
 }  // namespace twinray::test

@@ -5,6 +5,7 @@ from mutant import Mutant
 FACES = "faces of an OBJ file become triangles with their winding, normals and texture coordinates"
 CORNERS = "a face of an OBJ file may have many corners, be concave, and stand before its vertices"
 PARTS = "objects, groups and materials of an OBJ file are shapes of their own"
+MISSING = "a corner whose normal or texture coordinates there are not goes without them"
 WRONG = "what is wrong with a face of an OBJ file is an error with its line"
 NAMES = "names of materials and their files may have spaces"
 MODELS = "MTL's models of illumination become materials"
@@ -25,8 +26,8 @@ NUMBERS = "a coordinate that is no number is an error at its line, of other numb
 
 MUTANTS = [
     Mutant("elements from the back are one off", "io/obj/reader.cpp",
-           "return std::uint32_t(std::int64_t(count) + index);",
-           "return std::uint32_t(std::int64_t(count) + index + 1);", "test_io", FACES),
+           "index < 0 ? std::int64_t(count) + index :",
+           "index < 0 ? std::int64_t(count) + index + 1 :", "test_io", FACES),
     Mutant("polygons are fans", "io/obj/scene.cpp",
            "for (const auto& triangle : triangulate(positions)) add(triangle);",
            "for (std::uint32_t i = 2; i < corners.size(); ++i) add({0, i - 1, i});", "test_io", CORNERS),
@@ -37,7 +38,17 @@ MUTANTS = [
            "{object_, group_, material_, has_normals, has_uvs}, model_",
            "{object_, group_, 0, has_normals, has_uvs}, model_", "test_io", PARTS),
     Mutant("indices are not checked", "io/obj/reader.cpp",
-           "if (need.count > count)", "if (false && need.count > count)", "test_io", WRONG),
+           "if (positions_.count > model_.positions.size())", "if (false)", "test_io", WRONG),
+    Mutant("an index back to before the first element is not told", "io/obj/reader.cpp",
+           "if (need.first_before != 0) warn_of(need.first_before, need.line_before);", "", "test_io",
+           MISSING),
+    Mutant("an index beyond the last element is not told", "io/obj/reader.cpp",
+           "if (need.count > count) warn_of(std::int64_t(need.count), need.line);", "", "test_io", MISSING),
+    Mutant("where a normal is missing all have none", "io/obj/reader.cpp",
+           "std::min(corner.*part, std::uint32_t(count))", "std::uint32_t(count)", "test_io", MISSING),
+    Mutant("the last of those there are stands for a missing one", "io/obj/reader.cpp",
+           "elements.push_back({});", "elements.push_back(elements.empty() ? Element{} : elements.back());",
+           "test_io", MISSING),
     Mutant("lines are counted by line feeds alone", "io/obj/reader.cpp",
            "c == '\\n' || c == '\\r'", "c == '\\n'", "test_io",
            "a coordinate is the float that is nearest to what the file says"),

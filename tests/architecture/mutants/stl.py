@@ -25,7 +25,7 @@ MUTANTS = [
     Mutant("attributes of triangles are not counted", "io/stl/reader.cpp",
            "marked += mark != 0", "marked += 0", "test_io", BINARY),
     Mutant("the place of an index is the last face's", "io/obj/reader.cpp",
-           "if (std::size_t(index) > need.count) need", "if (std::size_t(index) >= need.count) need",
+           "if (std::size_t(place) >= need.count)", "if (std::size_t(place) + 1 >= need.count)",
            "test_io", "what is wrong with a face of an OBJ file is an error with its line"),
     Mutant("statements of OBJ that nobody knows are silent", "io/obj/statements.cpp",
            "    else\n      warnings.add", "    else if (false)\n      warnings.add", "test_io", STATEMENTS),

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/angle.h"
 #include "core/error.h"
 #include "core/mesh_area.h"
 #include "core/surface.h"
@@ -337,18 +338,18 @@ TEST_CASE("a whole sphere stays one where its transform is a similarity") {
 }
 
 TEST_CASE("cut shapes have the area of what they stand for, and pbrt's side outside") {
-  constexpr double pi = 3.14159265358979323846, of_cutting = 3e-4;  // 256 edges around
+  constexpr double of_cutting = 3e-4;  // 256 edges around
   const auto mesh = [](const std::string& shape) {
     const LoadedScene loaded = load_pbrt_world(shape);
     return *loaded.scene.geometry->mesh(0);
   };
-  CHECK(area(mesh("Shape \"disk\" \"float radius\" 3")) == Approx(9 * pi).epsilon(of_cutting));
+  CHECK(area(mesh("Shape \"disk\" \"float radius\" 3")) == Approx(9 * pi_double).epsilon(of_cutting));
   CHECK(area(mesh("Shape \"disk\" \"float radius\" 3 \"float innerradius\" 2")) ==
-        Approx(5 * pi).epsilon(of_cutting));
+        Approx(5 * pi_double).epsilon(of_cutting));
   CHECK(area(mesh("Shape \"cylinder\" \"float radius\" 2 \"float zmin\" 1 \"float zmax\" 4")) ==
-        Approx(12 * pi).epsilon(of_cutting));
-  CHECK(area(mesh("Shape \"sphere\" \"float phimax\" 180")) == Approx(2 * pi).epsilon(of_cutting));
-  CHECK(area(mesh("Shape \"sphere\" \"float zmin\" 0")) == Approx(2 * pi).epsilon(of_cutting));
+        Approx(12 * pi_double).epsilon(of_cutting));
+  CHECK(area(mesh("Shape \"sphere\" \"float phimax\" 180")) == Approx(2 * pi_double).epsilon(of_cutting));
+  CHECK(area(mesh("Shape \"sphere\" \"float zmin\" 0")) == Approx(2 * pi_double).epsilon(of_cutting));
   CHECK(near(front(load_pbrt_world("Shape \"disk\"")), {0, 0, 1}));
   const Mesh ball = mesh("Shape \"sphere\" \"float zmin\" -0.5");
   for (std::size_t i = 0; i < ball.triangles.size(); i += 97) {

@@ -25,7 +25,7 @@ Camera some_camera() {
 }  // namespace
 
 TEST_CASE("a picture's matrices say where a point of the world lies in its frame") {
-  constexpr float rounding = 1e-4f;  // Of coordinates up to 50 in floats.
+  constexpr float tolerance = 1e-4f;  // Of coordinates up to 50 in floats.
   Camera camera = some_camera();
   Random random(4);
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
@@ -38,12 +38,12 @@ TEST_CASE("a picture's matrices say where a point of the world lies in its frame
       const float depth = random.uniform(1, 30);
       const Vec3 point = ray.origin + ray.direction * depth;
       const Vec3 seen = transformed(point, *matrices.world_to_ndc);
-      CHECK(seen.x == Approx(frame.x).margin(rounding));
-      CHECK(seen.y == Approx(frame.y).margin(rounding));
+      CHECK(seen.x == Approx(frame.x).margin(tolerance));
+      CHECK(seen.y == Approx(frame.y).margin(tolerance));
       const Vec3 before = transformed(point, matrices.world_to_camera);
-      CHECK(before.z == Approx(depth).epsilon(rounding));
-      CHECK(before.x == Approx(dot(point - camera.position, camera.right)).margin(rounding));
-      CHECK(before.y == Approx(dot(point - camera.position, camera.up)).margin(rounding));
+      CHECK(before.z == Approx(depth).epsilon(tolerance));
+      CHECK(before.x == Approx(dot(point - camera.position, camera.right)).margin(tolerance));
+      CHECK(before.y == Approx(dot(point - camera.position, camera.up)).margin(tolerance));
     }
   }
 }
