@@ -25,12 +25,8 @@ void add_options(CLI::App& app, ConvertArguments& arguments) {
   add_scene(app, arguments.scene);
   add_file(app, "OUT", arguments.output, "OUT.json, .pbrt, .gltf or .glb; other files go beside it");
   OptionGroup group(app, "Options");
-  group.add_words(
-      {"-r,--resolution", "W H", "Of the picture that the camera is for (the scene's, or 480 360)"}, 2,
-      [&arguments](const Words& words) {
-        arguments.resolution = {parse_number("--resolution", words[0], frame_sides),
-                                parse_number("--resolution", words[1], frame_sides)};
-      });
+  add_resolution(group, arguments.resolution,
+                 "Of the picture that the camera is for (the scene's, or 480 360)");
   add_view(group, arguments.view);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
                  arguments.load.camera_name);
@@ -89,6 +85,7 @@ int convert_command(const ConvertArguments& arguments) {
   check_scene_output(arguments.output);
   prepare_outputs({arguments.output}, {});
   LoadOptions options = arguments.load;
+  options.clip_as_file = true;  // Whoever renders the written scene decides whether it clips.
   options.files = std::make_shared<std::vector<std::string>>();
   const LoadedScene loaded = load(arguments, options);
   const Scene& scene = loaded.scene;

@@ -17,7 +17,8 @@ namespace {
 void add_options(CLI::App& app, InfoArguments& arguments) {
   add_scene(app, arguments.scene);
   OptionGroup group(app, "Options");
-  add_resolution(group, arguments.width, arguments.height, "Of the picture whose memory is told");
+  add_resolution(group, arguments.resolution,
+                 "Of the picture whose memory is told (the scene's, or 480 360)");
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id"},
                  arguments.load.camera_name);
   add_instances(group, arguments.load);
@@ -25,12 +26,15 @@ void add_options(CLI::App& app, InfoArguments& arguments) {
   group.add_flag("--json", arguments.json, "Print JSON");
 }
 
-/// As render takes it by its defaults.
-RenderArguments as_render(const InfoArguments& asked) {
-  RenderArguments arguments = parse_render_arguments({asked.scene});
+/// As render takes it by the file's settings and its own defaults.
+RenderArguments as_render(const InfoArguments& asked, const RenderDefaults& defaults) {
+  Words words{asked.scene};
+  if (asked.resolution)
+    words.insert(words.end(), {"--resolution", std::to_string(asked.resolution->width),
+                               std::to_string(asked.resolution->height)});
+  RenderArguments arguments = parse_render_arguments(words);
   arguments.load = asked.load;
-  arguments.render.width = asked.width;
-  arguments.render.height = asked.height;
+  take_defaults(defaults, arguments);
   return arguments;
 }
 
@@ -67,7 +71,7 @@ int info_command(const InfoArguments& arguments) {
   LoadOptions options = arguments.load;
   options.files = std::make_shared<std::vector<std::string>>();
   const LoadedScene loaded = load_with_warnings(arguments.scene, options);
-  const RenderArguments render = as_render(arguments);
+  const RenderArguments render = as_render(arguments, loaded.defaults);
   tell_what_has_no_effect(render, loaded.summary);
   SceneInfo info = scene_info(arguments.scene, loaded);
   info.files = once(*options.files);

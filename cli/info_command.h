@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "cli/options/common.h"
+#include "io/render_defaults.h"
 
 namespace twinray {
 
@@ -11,7 +13,8 @@ namespace twinray {
 struct InfoArguments {
   std::string scene;
   LoadOptions load;
-  int width = 480, height = 360;  ///< Of the picture whose memory is told.
+  /// Of the picture whose memory is told; none: the scene file's, or render's.
+  std::optional<RenderDefaults::Resolution> resolution;
   bool json = false;
 };
 

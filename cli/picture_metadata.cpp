@@ -75,6 +75,22 @@ PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<s
           scene_names(scene, film_contents(options, scene))};
 }
 
+std::set<std::string> engines_of(const ImageMetadata& metadata) {
+  constexpr std::string_view between = ", ";
+  std::set<std::string> engines;
+  const std::string all = value_of(metadata, "twinray:engine");
+  for (std::size_t begin = 0, end = 0; end != all.npos; begin = end + between.size()) {
+    end = all.find(between, begin);
+    engines.insert(all.substr(begin, end - begin));
+  }
+  engines.erase("");
+  return engines;
+}
+
+void set_engines(ImageMetadata& metadata, const std::set<std::string>& engines) {
+  set_value(metadata, "twinray:engine", fmt::format("{}", fmt::join(engines, ", ")));
+}
+
 ImageMetadata metadata_showing(const char* what, const PictureNotes& notes) {
   ImageMetadata metadata = notes.metadata;
   set_value(metadata, "twinray:shows", what);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct PictureNotes {
 /// With the hashes of the files that the render depends on.
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
                            const Scene& scene, const InputFiles& inputs);
+
+/// The engines that made a picture, by its "twinray:engine": "bvh", or "bvh, embree" where it was merged, or
+/// went on with another one.
+std::set<std::string> engines_of(const ImageMetadata& metadata);
+void set_engines(ImageMetadata& metadata, const std::set<std::string>& engines);
 
 /// The metadata of something that stands beside the picture and shows something else: "sample rates".
 ImageMetadata metadata_showing(const char* what, const PictureNotes& notes);

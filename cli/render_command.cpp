@@ -109,7 +109,10 @@ class RenderRun {
     const InputFiles inputs = input_files(arguments_);
     notes_ = picture_notes(arguments_, words_, loaded.scene, inputs);
     RenderKeeping keeping(arguments_, partial_, notes_, talk_, request_);
-    if (uses_films(arguments_)) keeping.use_films(words_, inputs);
+    if (uses_films(arguments_)) {
+      keeping.use_films(words_, inputs);
+      notes_ = keeping.films()->picture();
+    }
     const auto integrator = make_integrator(arguments_, loaded.scene);
     talk_.building(arguments_, *loaded.scene.geometry);
     const auto accelerator = build_accelerator(arguments_.backend, loaded.scene.geometry, arguments_.build);

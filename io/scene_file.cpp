@@ -106,10 +106,6 @@ LoadedScene with_camera_named(const std::string& name, LoadedScene loaded, const
       cameras.empty() ? "the scene has no camera" : fmt::format("the scene has \"{}\"", cameras[0])));
 }
 
-}  // namespace
-
-namespace {
-
 LoadedScene load_by_name(const std::string& path, const LoadOptions& options) {
   if (generated::is_generated(path))
     return with_camera_named(options.camera_name, load_generated(path), path);
@@ -122,10 +118,23 @@ LoadedScene load_by_name(const std::string& path, const LoadOptions& options) {
   return with_camera_named(options.camera_name, format->load(path, options), path);
 }
 
+/// What shows nothing is a picture of the background. Readers that know where the shapes would stand say so
+/// themselves.
+void warn_of_nothing(const std::string& path, bool is_strict, LoadedScene& loaded) {
+  constexpr const char* message = "the scene has no shapes";
+  const auto is_said = [](const Diagnostic& warning) { return warning.message == message; };
+  if (loaded.scene.geometry->primitive_count() > 0 ||
+      std::any_of(loaded.warnings.begin(), loaded.warnings.end(), is_said))
+    return;
+  if (is_strict) throw Error(fmt::format("{}: {}", path, message));
+  loaded.warnings.push_back({{path}, message});
+}
+
 }  // namespace
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
   LoadedScene loaded = load_by_name(path, options);
+  warn_of_nothing(path, options.strict, loaded);
   forget_clear_interiors(loaded.scene.materials);
   return loaded;
 }

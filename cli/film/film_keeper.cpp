@@ -57,6 +57,9 @@ FilmKeeper::FilmKeeper(const RenderArguments& arguments, const PictureNotes& pic
     if (!fault.empty()) console::warn(fault);
     if (is_kept_there(arguments)) is_damaged_ = !fault.empty();
     check_can_resume(film, notes_);
+    std::set<std::string> engines = engines_of(notes_.picture.metadata);
+    engines.merge(engines_of(film.notes.picture.metadata));
+    set_engines(notes_.picture.metadata, engines);
     begun_.emplace(std::move(film));
     is_saved_ = !arguments.checkpoint.empty() && has_film(arguments.checkpoint);
   }

@@ -38,6 +38,8 @@ class FilmKeeper {
   bool save_last(const RenderResult& result);
   /// Whether there is a checkpoint to go on with.
   bool has_checkpoint() const { return is_saved_; }
+  /// What is said of the picture, with the engines of the film that it goes on with.
+  const PictureNotes& picture() const { return notes_.picture; }
   /// Writes what there is of a render to another place. Throws Error.
   void write(const std::string& path, const RenderState& state, bool is_complete) const;
 

@@ -51,8 +51,7 @@ void add_film(const SavedFilm& film, FilmParts& parts) {
   if (const std::string reason = difference(film, parts); !reason.empty())
     throw Error(
         fmt::format("{}: it does not go with {}: {}", film.file.path(), parts.parts.front().path, reason));
-  for (const auto& [name, value] : film.notes.picture.metadata)
-    if (name == "twinray:engine") parts.engines.insert(value);
+  parts.engines.merge(engines_of(film.notes.picture.metadata));
   parts.parts.push_back(part_of(film));
 }
 

@@ -100,7 +100,7 @@ RenderArguments arguments_of(const Words& words, const FilmNotes& notes) {
 PictureNotes notes_of(const FilmParts& parts, const Words& words) {
   PictureNotes notes = parts.notes.picture;
   set_value(notes.metadata, "twinray:options", shell_text(words));
-  set_value(notes.metadata, "twinray:engine", fmt::format("{}", fmt::join(parts.engines, ", ")));
+  set_engines(notes.metadata, parts.engines);
   // What the films have that are merged now was perhaps missing before.
   std::erase_if(notes.metadata, [](const auto& entry) { return entry.first == "twinray:missing"; });
   if (!parts.missing.empty())

@@ -33,6 +33,14 @@ void add_resolution(OptionGroup& group, int& width, int& height, const std::stri
                  height, frame_sides);
 }
 
+void add_resolution(OptionGroup& group, std::optional<RenderDefaults::Resolution>& resolution,
+                    const std::string& description) {
+  group.add_words({"-r,--resolution", "W H", description}, 2, [&resolution](const Words& words) {
+    resolution = {parse_number("--resolution", words[0], frame_sides),
+                  parse_number("--resolution", words[1], frame_sides)};
+  });
+}
+
 void add_view(OptionGroup& group, View& view) {
   group.add_choice("--view", view, views, "As the file's camera sees it, or all of it");
 }

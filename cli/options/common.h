@@ -32,6 +32,9 @@ inline constexpr Range<int> thread_counts{1, 1024};
 
 /// The help gives width and height as they are.
 void add_resolution(OptionGroup& group, int& width, int& height, const std::string& description);
+/// Without the option there is none: the scene file's, or another, as the description says.
+void add_resolution(OptionGroup& group, std::optional<RenderDefaults::Resolution>& resolution,
+                    const std::string& description);
 void add_view(OptionGroup& group, View& view);
 void add_threads(OptionGroup& group, int& threads);
 /// The engines that --accel may name: auto, which leaves it to the scene, and those of this build.

@@ -88,6 +88,9 @@ class Shapes {
     const std::vector<std::array<float, 4>> colors =
         materials_.vertex_colors(scene_.bindings[shape], joined.uvs);
     if (!colors.empty()) joined.uvs.clear();
+    // What needs no coordinates here is a picture of one color there, which needs some.
+    else if (joined.uvs.empty() && is_textured(scene_, scene_.bindings[shape]))
+      joined.uvs.assign(joined.positions.size(), {});
     if (is_turned(shape)) turn(joined.triangles);
     const bool is_handed = !joined.uvs.empty() && materials_.needs_handedness(scene_.bindings[shape]);
     std::vector<Triangle> sides[2];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/reader.h"
+#include "io/byte_order_mark.h"
 
 #include <fmt/format.h>
 
@@ -143,7 +144,9 @@ class Reader {
     model_.name = std::filesystem::path(path_).stem().string();
     std::string warning, error;
     tinyobj::LoadObjWithCallback(lines_.stream, callbacks(), this, &material_files_, &warning, &error);
-    if (model_.faces.empty()) throw Error(path_ + ": the file has no faces (\"f\")");
+    if (model_.faces.empty())
+      throw Error(path_ + (model_.small_faces == 0 ? ": the file has no faces (\"f\")"
+                                                   : ": no face of the file has three corners"));
     check_indices();
     model_.notes = check_obj_statements(
         text_, [&](std::size_t at) { return lines_.place(at); }, warnings_);

@@ -31,11 +31,6 @@ float value_of(const Decimal<float>& number) {
 
 }  // namespace
 
-std::string_view without_mark(std::string_view text) {
-  constexpr std::string_view mark = "\xef\xbb\xbf";
-  return text.substr(text.starts_with(mark) ? mark.size() : 0);
-}
-
 bool has_continued_lines(std::string_view text) { return find_continuation(text, 0) != text.npos; }
 
 std::string joined_lines(std::string text) {

@@ -8,9 +8,6 @@
 
 namespace twinray {
 
-/// The text without the mark that it is UTF-8, if it begins with that.
-std::string_view without_mark(std::string_view text);
-
 /// Whether a line goes on behind a backslash at its end; a comment does not.
 bool has_continued_lines(std::string_view text);
 /// The text with such lines as one: the backslash and the end of the line are spaces, so that all else stays

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string_view>
 
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/geometry.h"
+#include "io/diagnostic.h"
 #include "io/pbrt/transform.h"
 #include "io/pbrt/version_three.h"
 
@@ -73,7 +76,7 @@ void set_axes(const Transform& to_world, const PbrtPlace& place, Camera& placed,
 /// x, y, width and height of the part from..to of the resolution, as whole pixels.
 std::optional<std::array<int, 4>> pixels_of(const std::array<double, 4>& from_to,
                                             const RenderDefaults::Resolution& size) {
-  const auto pixel = [](double at, int most) { return std::clamp(int(std::ceil(at)), 0, most); };
+  const auto pixel = [](double at, int most) { return int(std::clamp(std::ceil(at), 0.0, double(most))); };
   const int x0 = pixel(std::min(from_to[0], from_to[1]), size.width);
   const int x1 = pixel(std::max(from_to[0], from_to[1]), size.width);
   const int y0 = pixel(std::min(from_to[2], from_to[3]), size.height);
@@ -82,17 +85,29 @@ std::optional<std::array<int, 4>> pixels_of(const std::array<double, 4>& from_to
   return std::array{x0, y0, x1 - x0, y1 - y0};
 }
 
-void read_crop(const PbrtParameters& parameters, RenderDefaults& defaults) {
+void read_crop(const PbrtParameters& parameters, RenderDefaults& defaults, WarningList& warnings) {
   const std::span<const float> part = parameters.reals("cropwindow");
   const std::span<const std::int32_t> bounds = parameters.integers("pixelbounds");
   if (part.empty() && bounds.empty()) return;
   const char* name = part.empty() ? "pixelbounds" : "cropwindow";
+  if (!part.empty() && !bounds.empty())
+    parameters.find("pixelbounds")
+        ->place.warn(warnings, "\"pixelbounds\" are not used beside a \"cropwindow\"");
   const RenderDefaults::Resolution& size = *defaults.resolution;
   const bool is_right = part.empty() ? bounds.size() == 4 : part.size() == 4;
   std::array<double, 4> edges{};
   for (std::size_t i = 0; i < 4 && is_right; ++i)
-    edges[i] = part.empty() ? double(bounds[i])
-                            : std::clamp(double(part[i]), 0.0, 1.0) * (i < 2 ? size.width : size.height);
+    edges[i] = (part.empty() ? 1
+                : i < 2      ? size.width
+                             : size.height) *
+               double(part.empty() ? bounds[i] : part[i]);
+  if (is_right && (std::min(edges[0], edges[2]) < 0 || edges[1] > size.width || edges[3] > size.height ||
+                   edges[0] > edges[1] || edges[2] > edges[3]))
+    parameters.find(name)->place.warn(
+        warnings,
+        fmt::format("\"{}\" reaches beyond the film, or ends before it begins: the part of the film "
+                    "between its numbers is rendered",
+                    name));
   if (is_right) defaults.crop = pixels_of(edges, size);
   if (!defaults.crop)
     parameters.find(name)->place.fail(
@@ -157,7 +172,7 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
   PbrtFilm film;
   film.defaults.resolution = {parameters.integer("xresolution", default_width, {1, most_side}),
                               parameters.integer("yresolution", default_height, {1, most_side})};
-  read_crop(parameters, film.defaults);
+  read_crop(parameters, film.defaults, context.warnings);
   film.iso = parameters.real("iso", 100, {1e-6, 1e9});
   if (const std::string sensor = parameters.text("sensor", "cie1931"); sensor != "cie1931")
     parameters.find("sensor")->place.warn(
@@ -175,8 +190,27 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
   return film;
 }
 
+namespace {
+
+constexpr std::string_view samplers[] = {"halton", "independent", "paddedsobol", "pmj02bn",
+                                         "sobol",  "stratified",  "zsobol"};
+constexpr std::string_view integrators[] = {
+    "ambientocclusion", "bdpt",       "function",      "lightpath", "mlt",    "path",
+    "randomwalk",       "simplepath", "simplevolpath", "sppm",      "volpath"};
+
+/// Of what pbrt refuses, and what changes nothing here.
+void warn_of_unknown(const char* what, const std::string& type, std::span<const std::string_view> known,
+                     const PbrtParameters& parameters, PbrtContext& context) {
+  if (std::find(known.begin(), known.end(), type) == known.end())
+    parameters.place().warn(
+        context.warnings, fmt::format("there is no {} \"{}\"; valid are {}", what, type, list_names(known)));
+}
+
+}  // namespace
+
 void read_sampler(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
                   PbrtContext& context) {
+  warn_of_unknown("sampler", type, samplers, parameters, context);
   const bool is_stratified = type == "stratified";
   const int count = is_stratified ? parameters.integer("xsamples", 4, {1, 1024}) *
                                         parameters.integer("ysamples", 4, {1, 1024})
@@ -188,6 +222,7 @@ void read_sampler(const std::string& type, const PbrtParameters& parameters, Ren
 
 void read_integrator(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
                      PbrtContext& context) {
+  warn_of_unknown("integrator", type, integrators, parameters, context);
   defaults.max_depth = std::min(parameters.integer("maxdepth", default_depth, {0, 1e9}), most_depth);
   for (const char* unused :
        {"lightsampler", "samplelights", "samplebsdf", "visualizestrategies", "visualizeweights",

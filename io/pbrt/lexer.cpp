@@ -16,9 +16,11 @@ constexpr std::size_t longest_shown = 32;
 bool is_space(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 bool ends_word(char c) { return is_space(c) || c == '"' || c == '[' || c == ']' || c == '#'; }
 
+/// Its first letters. A zero byte would end the message.
 std::string cut(std::string_view text) {
-  return text.size() <= longest_shown ? std::string(text)
-                                      : std::string(text.substr(0, longest_shown)) + "...";
+  std::string shown;
+  for (const char c : text.substr(0, longest_shown)) shown += c == 0 ? std::string("\\0") : std::string(1, c);
+  return text.size() <= longest_shown ? shown : shown + "...";
 }
 
 template <typename Number>

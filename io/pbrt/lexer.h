@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/byte_order_mark.h"
 #include "io/pbrt/file.h"
 
 namespace twinray {
@@ -28,7 +29,7 @@ struct PbrtToken {
 class PbrtLexer {
  public:
   /// Throws Error where the text begins with what is not a token.
-  explicit PbrtLexer(const PbrtFile& file) : file_(&file) { advance(); }
+  explicit PbrtLexer(const PbrtFile& file) : file_(&file), at_(mark_size(file.text)) { advance(); }
 
   const PbrtFile& file() const { return *file_; }
   /// The token that take() gives. At the end of the file, of kind end.
@@ -45,7 +46,7 @@ class PbrtLexer {
   void skip_space();
 
   const PbrtFile* file_;
-  std::size_t at_ = 0;
+  std::size_t at_;
   int line_ = 1;
   PbrtToken next_;
 };

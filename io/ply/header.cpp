@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/ply/header.h"
+#include "io/byte_order_mark.h"
 
 #include <fmt/format.h>
 
@@ -136,7 +137,7 @@ std::uint64_t PlyElement::least_bytes(PlyFormat format) const {
 
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name) {
   PlyHeader header;
-  Line first(bytes, name, 0);
+  Line first(bytes, name, mark_size(bytes));
   if (first.word() != "ply") first.fail("not a PLY file: its first line must be \"ply\"");
   std::size_t begin = first.behind();
   bool has_format = false;

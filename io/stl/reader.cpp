@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/stl/reader.h"
+#include "io/byte_order_mark.h"
 
 #include <fmt/format.h>
 

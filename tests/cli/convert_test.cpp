@@ -220,6 +220,28 @@ TEST_CASE("convert takes a file's own size of the picture, unless another one is
   CHECK(read_text(path).find("\"integer pixelbounds\" [ 0 10 0 10 ]") != std::string::npos);
 }
 
+TEST_CASE("convert keeps the clip distances of the camera") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.dae"), json = folder.file("a.json");
+  std::string text = read_text(box_scene);
+  const std::size_t far = text.find("<zfar>");
+  REQUIRE(far != std::string::npos);
+  text.replace(far, text.find("</zfar>") - far, "<zfar>4");
+  write_text(scene, text);
+  const auto converted = [&](const std::string& from, const std::string& to) {
+    return run_program("convert -q " + quoted(from) + " " + quoted(to)).err;
+  };
+  CHECK(converted(scene, json).empty());
+  CHECK(converted(json, folder.file("b.json")).empty());
+  CHECK(converted(scene, folder.file("a.glb")).empty());
+  CHECK(converted(scene, folder.file("a.pbrt")).find("the camera's clip distances are left out") !=
+        std::string::npos);
+  for (const char* name : {"a.json", "b.json", "a.glb"}) {
+    CHECK(load_scene(folder.file(name), {.clip_as_file = true}).scene.camera.clip_far == 4);
+    CHECK(load_scene(folder.file(name)).scene.camera.clip_far > 1e30);
+  }
+}
+
 TEST_CASE("convert writes what moves where it stands at a time") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("scene.gltf");

@@ -43,6 +43,27 @@ TEST_CASE("ranges of samples and tiles merge to the picture of one render, whate
   CHECK(rates("tiles_rate.png") == rates("adaptive_rate.png"));
 }
 
+TEST_CASE("a picture names all engines that made it, also where one went on with what another began") {
+  const TemporaryFolder folder;
+  const auto file = [&](const std::string& name) { return quoted(folder.file(name)); };
+  const auto engines_in = [&](const char* name) {
+    const std::string bytes = read_text(folder.file(name)), key("twinray:engine\0string\0", 22);
+    const std::size_t begin = bytes.find(key);  // Four bytes of its length, and the text.
+    REQUIRE(begin != std::string::npos);
+    const auto length = std::size_t(static_cast<unsigned char>(bytes[begin + key.size()]));
+    return bytes.substr(begin + key.size() + 4, length);
+  };
+  run_well(box_words("-s 4 --accel=bvh --checkpoint=" + file("a.ck") + " -o " + file("a.exr")));
+  CHECK(engines_in("a.exr") == "bvh");
+  run_well("resume " + file("a.ck") + " -q -s 8 --accel=brute-force");
+  CHECK(engines_in("a.exr") == "brute-force, bvh");
+  run_well("resume " + file("a.ck") + " -q -s 12 --accel=bvh");
+  CHECK(engines_in("a.exr") == "brute-force, bvh");
+  run_well("verify -q " + file("a.exr"));
+  run_well("merge -q " + file("a.ck") + " -o " + file("merged.exr"));
+  CHECK(engines_in("merged.exr") == "brute-force, bvh");
+}
+
 TEST_CASE("films merge in steps, and a merged film takes more samples") {
   const TemporaryFolder folder;
   const auto film = [&](const std::string& name) { return quoted(folder.file(name)); };

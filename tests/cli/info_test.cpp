@@ -81,6 +81,12 @@ TEST_CASE("info adds up the memory of a render") {
     CHECK(memory["the film of 480 x 360 pixels"] == 480 * 360 * 64);
   }
   CHECK(info_of(box, "-r 96 72")["memory_bytes"]["the film of 96 x 72 pixels"] == 96 * 72 * 64);
+  const std::string scene = leaf.file("large.pbrt");
+  write_text(
+      scene,
+      "Film \"rgb\" \"integer xresolution\" 640 \"integer yresolution\" 20 WorldBegin Shape \"sphere\"");
+  CHECK(info_of(scene)["memory_bytes"]["the film of 640 x 20 pixels"] == 640 * 20 * 64);
+  CHECK(info_of(scene, "-r 96 72")["memory_bytes"]["the film of 96 x 72 pixels"] == 96 * 72 * 64);
   // Floats of positions and texture coordinates, and indices of triangles.
   const int bytes_of_leaf = 3 * 12 + 12 + 8 + 12, wall = 4 * 12 + 2 * 12, lamp = 3 * 12 + 12;
 

@@ -16,6 +16,8 @@ COPY = "a copy of a checkpoint goes on where it is, and by the words that were l
 ASKED = "where SIGUSR1's picture cannot be written, or is a film of a checkpoint, the render goes on"
 OTHERS = "a checkpoint of another scene, option or file does not go on"
 
+ENGINES = "a picture names all engines that made it, also where one went on with what another began"
+
 MUTANTS = [
     Mutant("a pass is rendered anew from its begin", "integrators/render.cpp",
            "std::uint32_t index = next_index(x, y)", "std::uint32_t index = begin",
@@ -247,4 +249,10 @@ MUTANTS = [
     Mutant("channels that a picture lacks are not looked for", "cli/verify/picture_channels.cpp",
            "pairs.push_back({absent, here});", "{}",
            "test_cli", "a channel that was taken away is found, and a place that is another"),
+    Mutant("a picture that goes on forgets the engines before", "cli/film/film_keeper.cpp",
+           "engines.merge(engines_of(film.notes.picture.metadata));", "", "test_cli", ENGINES),
+    Mutant("the picture of a render that goes on names the last engine", "cli/render_command.cpp",
+           "notes_ = keeping.films()->picture();", "", "test_cli", ENGINES),
+    Mutant("two engines are one name", "cli/picture_metadata.cpp",
+           "end = all.find(between, begin);", "end = all.npos;", "test_cli", ENGINES),
 ]

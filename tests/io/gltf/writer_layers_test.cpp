@@ -35,6 +35,24 @@ TEST_CASE("written gltf: pictures of a film come back in their channels") {
   }
 }
 
+TEST_CASE("written gltf: textures that need no coordinates come back on a mesh that has none") {
+  Mesh mesh = triangle();
+  mesh.uvs.clear();
+  mesh.uv_indices.clear();
+  Scene scene = scene_of(mesh, Principled{});
+  scene.textures = {{"", ConstantTexture{{0.2f, 0.4f, 0.6f}}},
+                    {"", ConstantTexture{{0.5f, 0.5f, 0.5f}}},
+                    {"", ScaleTexture{0, 1}}};
+  scene.materials[0].textures = {{MaterialInput::reflectance, 2}, {MaterialInput::roughness, 1}};
+  const RoundTrip trip = round_trip(scene, "a.glb");
+  CHECK(trip.warnings.empty());
+  const auto surface = std::get<Principled>(textured_model(only_material(trip), trip.scene.textures, {}));
+  CHECK(surface.base_color.r == Approx(0.1f).margin(0.004));
+  CHECK(surface.base_color.g == Approx(0.2f).margin(0.004));
+  CHECK(surface.base_color.b == Approx(0.3f).margin(0.004));
+  CHECK(surface.specular_roughness == Approx(0.5f).margin(0.004));
+}
+
 TEST_CASE("written gltf: what the reader gives metal of specular reflection is not given once more") {
   GltfFile file =
       extended("KHR_materials_specular", {{"specularFactor", 0.5}, {"specularColorFactor", {1, 0.5, 0.25}}});

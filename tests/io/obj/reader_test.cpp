@@ -42,6 +42,7 @@ TEST_CASE("what is wrong with a face of an OBJ file is an error with its line") 
   CHECK(obj_error("f 1 2 5\nf 1 2 6\nf 1 6 2\n" + obj_square) ==
         "scene.obj:2:1: there is no element 6 among the 4 vertices\n  f 1 2 6\n  ^");
   CHECK(obj_error(obj_square + "l 1 2\n") == "scene.obj: the file has no faces (\"f\")");
+  CHECK(obj_error(obj_square + "f 1 2\n") == "scene.obj: no face of the file has three corners");
   CHECK(obj_error("\xff\xfe f").find("UTF-16") != std::string::npos);
   std::string face = "f";
   for (int i = 0; i < 10001; ++i) face += " 1";

@@ -49,6 +49,7 @@ TEST_CASE("comments, line ends and brackets part pbrt's words") {
         "Translate Scale Rotate Identity ");
   CHECK(names_in("") == "");
   CHECK(names_in("# nothing else") == "");
+  CHECK(names_in("\xef\xbb\xbfTranslate 1 2 3") == "Translate ");  // Some editors begin UTF-8 so.
 }
 
 TEST_CASE("every type of pbrt's parameters is read, with brackets and without") {
@@ -84,6 +85,8 @@ TEST_CASE("escapes stand for letters in pbrt's strings") {
 }
 
 TEST_CASE("what is no statement of pbrt's format is an error that shows the place") {
+  CHECK(error_of(std::string("Identity\n\0\0", 11))
+            .starts_with("scene.pbrt:2:1: \"\\0\\0\" is not a directive"));
   CHECK(error_of("WorldBegin\nSheap \"sphere\"") ==
         "scene.pbrt:2:1: \"Sheap\" is not a directive of pbrt's format; Shape is the nearest one\n  Sheap "
         "\"sphere\"\n  ^");

@@ -323,6 +323,36 @@ TEST_CASE("film, sampler and integrator are defaults of the picture") {
              .defaults.samples == 15);
 }
 
+TEST_CASE("samplers and integrators that pbrt has not are warnings") {
+  for (const std::string known : {"Sampler \"zsobol\"", "Integrator \"bdpt\""})
+    CHECK(load_pbrt_text(known + " WorldBegin").warnings.empty());
+  for (const auto& [statement, name] : {std::pair("Sampler \"random\"", "sampler \"random\""),
+                                        std::pair("Integrator \"pth\"", "integrator \"pth\"")}) {
+    const LoadedScene loaded = load_pbrt_text(std::string(statement) + " WorldBegin");
+    REQUIRE(loaded.warnings.size() == 1);
+    CHECK(loaded.warnings[0].message.starts_with(fmt::format("there is no {}; valid are ", name)));
+  }
+}
+
+TEST_CASE("a part of pbrt's film that lies beyond it, or that is named twice, is a warning") {
+  const std::string film = "Film \"rgb\" \"integer xresolution\" 64 \"integer yresolution\" 48 ";
+  const auto crop_with = [&](const std::string& words, const std::string& warning) {
+    const LoadedScene loaded = load_pbrt_text(film + words + " WorldBegin");
+    REQUIRE(loaded.warnings.size() == (warning.empty() ? 0 : 1));
+    if (!warning.empty()) CHECK(loaded.warnings[0].message.find(warning) != std::string::npos);
+    return *loaded.defaults.crop;
+  };
+  const char* const beyond = " reaches beyond the film, or ends before it begins";
+  using Crop = std::array<int, 4>;
+  CHECK(crop_with("\"integer pixelbounds\" [0 64 0 48]", "") == Crop{0, 0, 64, 48});
+  CHECK(crop_with("\"integer pixelbounds\" [0 100 0 5]", beyond) == Crop{0, 0, 64, 5});
+  CHECK(crop_with("\"float cropwindow\" [-1 0.25 0.5 1]", beyond) == Crop{0, 24, 16, 24});
+  CHECK(crop_with("\"float cropwindow\" [0 1 0 1e30]", beyond) == Crop{0, 0, 64, 48});
+  CHECK(crop_with("\"float cropwindow\" [0.75 0.25 0.5 1]", beyond) == Crop{16, 24, 32, 24});
+  CHECK(crop_with("\"float cropwindow\" [0 0.5 0 1] \"integer pixelbounds\" [0 5 0 5]",
+                  "\"pixelbounds\" are not used beside a \"cropwindow\"") == Crop{0, 0, 32, 48});
+}
+
 TEST_CASE("a whole sphere stays one where its transform is a similarity") {
   const auto spheres = [](const std::string& statements) {
     return load_pbrt_world(statements + " Shape \"sphere\" \"float radius\" 2")

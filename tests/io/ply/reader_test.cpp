@@ -61,6 +61,7 @@ TEST_CASE("an ASCII PLY file is read with what a mesh has no use for in it") {
   CHECK(ply.mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}});
   CHECK(ply.mesh.uv_indices == ply.mesh.triangles);
   CHECK(ply.mesh.normals.empty());
+  CHECK(read_ply("\xef\xbb\xbf" + square, "a.ply").mesh.positions == ply.mesh.positions);
 }
 
 TEST_CASE("binary PLY files of both byte orders hold the same mesh") {
