@@ -11,7 +11,7 @@ namespace {
 /// A row of w columns around has w / (2 pi) of them in a radian; a square of n^2 pixels in 4 pi steradians
 /// has n / sqrt(4 pi).
 constexpr double side_per_width = 0.56418958354775628;
-constexpr int least_side = 16, parts = 4;
+constexpr int least_side = 64, parts = 4;
 
 }  // namespace
 

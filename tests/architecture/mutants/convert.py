@@ -270,4 +270,7 @@ MUTANTS = [
     Mutant("a crop beyond the film is taken in silence", "io/pbrt/camera.cpp",
            "edges[1] > size.width || edges[3] > size.height", "false", IO,
            "a part of pbrt's film that lies beyond it, or that is named twice, is a warning"),
+    Mutant("a coarse sky is drawn as coarse", "io/picture/equal_area.cpp",
+           "least_side = 64", "least_side = 16", IO,
+           "a sky of latitude and longitude that is drawn anew has the same colors in the same directions"),
 ]
