@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "cli/console.h"
 #include "cli/film/render_identity.h"
 #include "cli/json_names.h"
+#include "cli/picture_metadata.h"
 #include "core/error.h"
 #include "io/destination.h"
 

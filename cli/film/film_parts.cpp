@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "cli/picture_metadata.h"
 #include "core/error.h"
 
 namespace twinray {

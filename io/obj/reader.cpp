@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/obj/reader.h"
-#include "io/byte_order_mark.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +16,7 @@
 #include <tuple>
 
 #include "core/geometry.h"
+#include "io/byte_order_mark.h"
 #include "io/obj/colors.h"
 #include "io/obj/material_text.h"
 #include "io/obj/statements.h"
@@ -159,11 +159,11 @@ class Reader {
  private:
   using Corner = std::array<int, 3>;  ///< Vertex, texture coordinates, normal.
 
-  /// How many elements of a kind the faces need so far, and the first line that needs so many.
+  /// How many elements of a kind the faces need so far, and the first line that needs so many; and the first
+  /// index that counts back to before the first element (0: there is none), and its line.
   struct Need {
     std::size_t count = 0, line = 0;
-    int first_before =
-        0;  ///< The first index that counts back to before the first element; 0: there is none.
+    int first_before = 0;
     std::size_t line_before = 0;
   };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/ply/header.h"
-#include "io/byte_order_mark.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include <array>
 #include <charconv>
 
+#include "io/byte_order_mark.h"
 #include "io/diagnostic.h"
 
 namespace twinray {

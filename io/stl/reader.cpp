@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/stl/reader.h"
-#include "io/byte_order_mark.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +10,8 @@
 #include <filesystem>
 
 #include "core/geometry.h"
+#include "io/byte_order_mark.h"
 #include "io/lower_case.h"
-#include "io/obj/text.h"
 #include "io/stl/ascii.h"
 
 namespace twinray {

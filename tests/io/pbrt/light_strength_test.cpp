@@ -67,9 +67,8 @@ TEST_CASE("a light with a picture has pbrt's power, or illuminance, times its co
   const test::TemporaryFolder folder;
   write_exr(folder.file("sky.exr"), filled(4, 4, {0.25f, 0.5f, 0.75f}));
   const auto light_of = [&](const std::string& words) {
-    test::write_text(folder.file("a.pbrt"),
-                     "WorldBegin Shape \"sphere\" LightSource " + words +
-                         " \"string filename\" \"sky.exr\"\n");
+    test::write_text(folder.file("a.pbrt"), "WorldBegin Shape \"sphere\" LightSource " + words +
+                                                " \"string filename\" \"sky.exr\"\n");
     const LoadedScene loaded = load_scene(folder.file("a.pbrt"), {});
     CHECK(loaded.warnings.empty());
     return loaded.scene.lights.at(0).source;
