@@ -75,16 +75,19 @@ PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<s
           scene_names(scene, film_contents(options, scene))};
 }
 
-std::set<std::string> engines_of(const ImageMetadata& metadata) {
+std::set<std::string> engines_in(const std::string& names) {
   constexpr std::string_view between = ", ";
   std::set<std::string> engines;
-  const std::string all = value_of(metadata, "twinray:engine");
-  for (std::size_t begin = 0, end = 0; end != all.npos; begin = end + between.size()) {
-    end = all.find(between, begin);
-    engines.insert(all.substr(begin, end - begin));
+  for (std::size_t begin = 0, end = 0; end != names.npos; begin = end + between.size()) {
+    end = names.find(between, begin);
+    engines.insert(names.substr(begin, end - begin));
   }
   engines.erase("");
   return engines;
+}
+
+std::set<std::string> engines_of(const ImageMetadata& metadata) {
+  return engines_in(value_of(metadata, "twinray:engine"));
 }
 
 void set_engines(ImageMetadata& metadata, const std::set<std::string>& engines) {

@@ -29,8 +29,9 @@ struct PictureNotes {
 PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<std::string>& words,
                            const Scene& scene, const InputFiles& inputs);
 
-/// The engines that made a picture, by its "twinray:engine": "bvh", or "bvh, embree" where it was merged, or
+/// The engines that made a picture, of its "twinray:engine": "bvh", or "bvh, embree" where it was merged, or
 /// went on with another one.
+std::set<std::string> engines_in(const std::string& names);
 std::set<std::string> engines_of(const ImageMetadata& metadata);
 void set_engines(ImageMetadata& metadata, const std::set<std::string>& engines);
 

@@ -14,11 +14,6 @@ constexpr const char* repeated[] = {"twinray:seed", "twinray:filter", "twinray:b
 
 std::string text_of(const std::string& value) { return value.empty() ? "none" : value; }
 
-/// Whether an engine is among those of a picture. That of a merged one may be several: "bvh, embree".
-bool is_among(const std::string& engine, const std::string& engines) {
-  return fmt::format(", {},", engines).find(fmt::format(", {},", engine)) != std::string::npos;
-}
-
 }  // namespace
 
 void check_claim(const std::string& path, const ImageMetadata& metadata, const PictureClaim& claim,
@@ -33,7 +28,8 @@ void check_claim(const std::string& path, const ImageMetadata& metadata, const P
   const ImageMetadata asked = option_metadata(loaded, claim.words);
   for (const char* name : repeated) check(name, value_of(metadata, name), value_of(asked, name));
   const std::string engine = engine_name(arguments);
-  if (!arguments.is_auto && !is_among(engine, claim.engine)) check("twinray:engine", claim.engine, engine);
+  if (!arguments.is_auto && !engines_in(claim.engine).contains(engine))
+    check("twinray:engine", claim.engine, engine);
 }
 
 std::string engine_doubt(const PictureClaim& claim, const Geometry& geometry) {
@@ -41,7 +37,7 @@ std::string engine_doubt(const PictureClaim& claim, const Geometry& geometry) {
   if (!arguments.is_auto) return "";
   choose_engine(geometry, arguments);
   const std::string engine = engine_name(arguments);
-  if (is_among(engine, claim.engine)) return "";
+  if (engines_in(claim.engine).contains(engine)) return "";
   return fmt::format("its twinray:engine is {}, and --accel=auto chooses {} here", text_of(claim.engine),
                      engine);
 }

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <set>
 
+#include "io/byte_order_mark.h"
 #include "io/input_file.h"
 #include "io/lower_case.h"
 #include "io/number_list.h"
@@ -178,7 +179,7 @@ std::unique_ptr<XmlDocument> XmlDocument::load(const std::string& path) {
 
 std::unique_ptr<XmlDocument> XmlDocument::parse(std::string text, const std::string& name) {
   check_encoding(name, text);
-  if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);
+  text.erase(0, mark_size(text));
   std::unique_ptr<XmlDocument> document(new XmlDocument(std::move(text), name));
   document->parse_elements();
   if (!document->document_->RootElement())

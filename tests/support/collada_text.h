@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "io/collada/collada.h"
+#include "tests/support/error_text.h"
 
 namespace twinray {
 
@@ -55,12 +56,7 @@ inline LoadedScene load_collada(const std::string& text, const LoadOptions& opti
 
 /// The text of the error that loading throws; "" for none.
 inline std::string collada_error(const std::string& text, const LoadOptions& options = {}) {
-  try {
-    load_collada(text, options);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_text([&] { load_collada(text, options); });
 }
 
 inline const Mesh& mesh_of(const LoadedScene& loaded, std::size_t shape = 0) {

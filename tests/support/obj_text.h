@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "io/obj/scene.h"
+#include "tests/support/error_text.h"
 
 namespace twinray::test {
 
@@ -25,12 +26,7 @@ inline LoadedScene load_obj_text(const std::string& text,
 
 /// What is said of a file that is not read.
 inline std::string obj_error(const std::string& text) {
-  try {
-    load_obj_text(text);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return error_text([&] { load_obj_text(text); });
 }
 
 inline const Mesh& mesh_of(const LoadedScene& loaded, std::uint32_t shape = 0) {

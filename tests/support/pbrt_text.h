@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "io/pbrt/scene.h"
+#include "tests/support/error_text.h"
 
 namespace twinray::test {
 
@@ -28,12 +29,7 @@ inline LoadedScene load_pbrt_world(const std::string& statements, const PbrtText
 
 /// What reading them fails with; empty where it does not.
 inline std::string pbrt_error(const std::string& statements) {
-  try {
-    load_pbrt_world(statements);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return error_text([&] { load_pbrt_world(statements); });
 }
 
 /// A triangle in the plane z = 0 whose normal is +z.

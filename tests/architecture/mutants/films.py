@@ -254,5 +254,5 @@ MUTANTS = [
     Mutant("the picture of a render that goes on names the last engine", "cli/render_command.cpp",
            "notes_ = keeping.films()->picture();", "", "test_cli", ENGINES),
     Mutant("two engines are one name", "cli/picture_metadata.cpp",
-           "end = all.find(between, begin);", "end = all.npos;", "test_cli", ENGINES),
+           "end = names.find(between, begin);", "end = names.npos;", "test_cli", ENGINES),
 ]

@@ -86,10 +86,9 @@ TEST_CASE("a projector needs a picture, and shines ahead alone where its file is
   CHECK_THROWS_WITH(load_pbrt_world("LightSource \"projection\""),
                     Catch::Contains("a projection light needs its picture, \"string filename\""));
   const test::TemporaryFolder folder;
-  test::write_text(
-      folder.file("a.pbrt"),
-      "WorldBegin Shape \"sphere\" LightSource \"projection\" \"string filename\" \"none.png\" "
-      "\"float scale\" 5\n");
+  test::write_text(folder.file("a.pbrt"),
+                   "WorldBegin Shape \"sphere\" LightSource \"projection\" \"string filename\" \"none.png\" "
+                   "\"float scale\" 5\n");
   const LoadedScene loaded = load_scene(folder.file("a.pbrt"), {});
   CHECK(loaded.warnings.size() == 1);
   const auto& projector = std::get<ProjectionLight>(loaded.scene.lights.at(0).source);
