@@ -78,6 +78,10 @@ struct RenderArguments {
   EnvironmentPlacement placement;    ///< Of the environment.
   bool lenient_environment = false;  ///< Its pixels that are not radiance are black; else they are an error.
   LoadOptions load;
+  /// When what moves is seen, in place of one moment; of a scene that is read, as the file has it where no
+  /// time is asked for.
+  std::optional<Shutter> shutter;
+  std::uint32_t samples_per_moment = Motion{}.samples_per_moment;  ///< While the shutter is open.
   DefaultLight default_light = DefaultLight::none;
   Backend backend = Backend::bvh;
   BuildOptions build;

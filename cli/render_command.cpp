@@ -14,6 +14,7 @@
 #include "cli/interrupt.h"
 #include "cli/live/live_picture.h"
 #include "cli/live/picture_viewers.h"
+#include "cli/moving_scene.h"
 #include "cli/options/limits.h"
 #include "cli/outputs.h"
 #include "cli/partial_picture.h"
@@ -118,6 +119,7 @@ class RenderRun {
     const auto accelerator = build_accelerator(arguments_.backend, loaded.scene.geometry, arguments_.build);
     talk_.built(accelerator->stats());
     if (arguments_.check_with) check_.emplace(arguments_, loaded.scene, *accelerator);
+    if (arguments_.shutter) arguments_.render.motion = moving_.emplace(arguments_, loaded).motion();
     const RenderResult rendered = render({loaded.scene, *accelerator, *integrator}, keeping, live);
     const int code = rendered.is_complete ? finish(rendered, *accelerator, keeping)
                                           : stopped_in_samples(rendered, keeping);
@@ -247,6 +249,7 @@ class RenderRun {
   std::optional<Denoising> denoising_;
   PictureNotes notes_;
   std::optional<EngineCheck> check_;
+  std::optional<MovingScene> moving_;
   std::optional<DenoisedPicture> denoised_;
 };
 

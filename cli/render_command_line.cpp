@@ -5,6 +5,7 @@
 
 #include "cli/no_effect.h"
 #include "cli/options/render.h"
+#include "cli/shutter.h"
 
 namespace twinray {
 namespace {
@@ -44,6 +45,7 @@ RenderArguments resolved_render(const RenderRequest& request, const Words& given
   resolve_light(request, arguments);
   resolve_sampling(request, arguments);
   resolve_engine(request, arguments);
+  check_shutter(arguments);
   resolve_replay(request, arguments);
   resolve_layers(request, arguments);
   resolve_overscan(arguments);

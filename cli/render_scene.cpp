@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render_scene.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "cli/console.h"
 #include "cli/default_light.h"
@@ -11,6 +13,7 @@
 #include "cli/options/render.h"
 #include "cli/render_command_line.h"
 #include "cli/scene_warnings.h"
+#include "cli/shutter.h"
 #include "core/error.h"
 #include "core/scene_textures.h"
 #include "integrators/ambient_occlusion.h"
@@ -26,6 +29,8 @@
 namespace twinray {
 namespace {
 
+constexpr const char* environment_name = "environment";
+
 /// The camera of CS184's program: its frame is that of a camera settings file, or depends on the picture's
 /// size.
 Camera cs184_camera_of(const RenderArguments& arguments, const Camera& scene_camera) {
@@ -33,13 +38,13 @@ Camera cs184_camera_of(const RenderArguments& arguments, const Camera& scene_cam
   return cs184_frame(scene_camera, arguments.render.width, arguments.render.height);
 }
 
-/// The camera as asked for; says so if another view would show more.
-Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
+/// The camera as asked for, with a scene of these bounds; says so if another view would show more.
+Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, const Aabb& bounds,
+                          RenderTalk& talk) {
   const std::string& file = arguments.camera_file;
   Camera camera = file.empty() ? scene.camera : load_camera_file(file, scene.camera);
   if (!arguments.load.clip_as_file) camera = without_clip(camera);
   const auto [width, height] = std::pair(arguments.render.width, arguments.render.height);
-  const Aabb& bounds = scene.geometry->bounds();
   if (arguments.changes.projection)
     camera = with_projection(camera, *arguments.changes.projection, bounds, double(width) / height);
   const Camera fitted = fit_frame(camera, width, height);
@@ -54,7 +59,7 @@ Camera standard_camera_of(const RenderArguments& arguments, const Scene& scene, 
 }
 
 Camera camera_of(const RenderArguments& arguments, const Scene& scene, RenderTalk& talk) {
-  if (!is_cs184(arguments)) return standard_camera_of(arguments, scene, talk);
+  if (!is_cs184(arguments)) return standard_camera_of(arguments, scene, scene.geometry->bounds(), talk);
   const Camera camera = cs184_camera_of(arguments, scene.camera);
   return changed(camera, arguments.changes, camera);
 }
@@ -95,6 +100,20 @@ void add_lights(std::vector<Light> added, const RenderArguments& arguments, Load
   for (Light& light : added) loaded.scene.lights.push_back(std::move(light));
 }
 
+/// The light that load_for_render has added for --environment, the last one of its kind but for a default
+/// sky.
+const Light& environment_light(const Scene& scene) {
+  const auto is_environment = [](const Light& light) {
+    return light.name == environment_name && std::holds_alternative<EnvironmentLight>(light.source);
+  };
+  return *std::find_if(scene.lights.rbegin(), scene.lights.rend(), is_environment);
+}
+
+/// Whether the camera stands where the file has it, and not where all of the scene is seen.
+bool sees_by_file(const RenderArguments& arguments, const SceneSummary& summary) {
+  return !summary.camera.empty() && arguments.view == View::file && arguments.camera_file.empty();
+}
+
 }  // namespace
 
 LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
@@ -103,11 +122,13 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
     arguments.load.textures = std::make_shared<TextureStore>(*arguments.texture_bytes);
   LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
   take_defaults(loaded.defaults, arguments);
+  arguments.shutter = shutter_of(arguments, loaded);
+  if (arguments.shutter) loaded.summary.animation->shutter = arguments.shutter;
   talk.loaded(loaded.summary);
   loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
   if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
   if (!arguments.environment.empty())
-    loaded.scene.lights.push_back({"environment", read_environment(arguments)});
+    loaded.scene.lights.push_back({environment_name, read_environment(arguments)});
   std::vector<Light> added = lights_to_add(arguments, loaded);
   const std::vector<std::string> without_effect = useless_options(arguments, loaded, added);
   refuse_if_strict(without_effect, arguments);
@@ -116,6 +137,23 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   if (arguments.render.light_groups) group_lights(loaded.scene, arguments.light_groups);
   for (const std::string& warning : scene_warnings(loaded.scene, arguments)) console::warn(warning);
   talk.ready();
+  return loaded;
+}
+
+LoadedScene load_for_moment(const RenderArguments& arguments, const LoadedScene& first, double time) {
+  LoadOptions options = arguments.load;
+  options.time = time;
+  options.strict = false;  // The first one has been strict.
+  LoadedScene loaded = load_scene(arguments.scene, options);
+  RenderTalk silence;
+  loaded.scene.camera =
+      sees_by_file(arguments, loaded.summary)
+          ? standard_camera_of(arguments, loaded.scene, first.scene.geometry->bounds(), silence)
+          : first.scene.camera;
+  if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
+  if (!arguments.environment.empty()) loaded.scene.lights.push_back(environment_light(first.scene));
+  for (Light& light : lights_to_add(arguments, loaded)) loaded.scene.lights.push_back(std::move(light));
+  if (arguments.render.light_groups) group_lights(loaded.scene, arguments.light_groups);
   return loaded;
 }
 

@@ -15,6 +15,10 @@ namespace twinray {
 /// Throws Error, and UsageError where options without effect are errors.
 LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk);
 
+/// The same scene at another time, silently: `first` is what load_for_render has made of it. A camera that is
+/// not the file's stays where it is.
+LoadedScene load_for_moment(const RenderArguments& arguments, const LoadedScene& first, double time);
+
 /// The scene must outlive it.
 std::unique_ptr<Integrator> make_integrator(const RenderArguments& arguments, const Scene& scene);
 

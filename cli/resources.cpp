@@ -87,6 +87,7 @@ std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, const Sce
     for (MemoryNeed& need : memory_needs(backend, build, primitives)) needs.push_back(std::move(need));
   };
   add_tree(arguments.backend, arguments.build);
+  if (arguments.shutter) add_tree(arguments.backend, arguments.build);  // Of the moment that is shown.
   if (arguments.check_with) add_tree(arguments.check_with->backend, arguments.check_with->build);
   return needs;
 }

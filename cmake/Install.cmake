@@ -93,6 +93,7 @@ set(private_headers
   integrators/denoise/patch_distance.h
   integrators/denoise/regression.h
   integrators/denoise/tile.h
+  integrators/sample_maker.h
   integrators/wave/camera-inl.h
   integrators/wave/camera_stage.h
   integrators/wave/coats-inl.h

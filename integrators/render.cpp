@@ -15,10 +15,8 @@
 #include "core/denormals.h"
 #include "core/error.h"
 #include "core/parallel.h"
-#include "core/visible_pixels.h"
-#include "integrators/camera_interiors.h"
 #include "integrators/denoise/half_pictures.h"
-#include "integrators/wave/camera_stage.h"
+#include "integrators/sample_maker.h"
 
 namespace twinray {
 namespace {
@@ -28,17 +26,6 @@ namespace {
 constexpr std::uint32_t longest_pass = 16;
 /// How many samples an integrator gets at once, at most: their paths stay in the second cache.
 constexpr std::size_t samples_together = 1024;
-
-/// The pixels through which a camera ray may see something; all, where the background shines.
-PixelRect pixels_with_light(const Scene& scene, const Camera& camera, const Aabb& bounds,
-                            const RenderOptions& options) {
-  const auto is_behind_all = [](const Light& light) { return is_background(light.source); };
-  if (std::any_of(scene.lights.begin(), scene.lights.end(), is_behind_all)) return window_of(options);
-  const Vec2& radius = options.filter.radius;
-  return visible_pixels(
-      camera, bounds,
-      {options.width, options.height, window_of(options), {radius.x + 0.5f, radius.y + 0.5f}});
-}
 
 /// All that a sample's record has: each layer once.
 FilmContents recorded(const RenderOptions& options, const FilmContents& contents) {
@@ -55,25 +42,18 @@ FilmContents recorded(const RenderOptions& options, const FilmContents& contents
 /// pass.
 class Renderer {
  public:
-  Renderer(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
-           const RenderOptions& options, const std::function<void(const RenderProgress&)>& progress)
-      : accelerator_(accelerator),
-        integrator_(integrator),
+  Renderer(const TracedScene& of, const RenderOptions& options,
+           const std::function<void(const RenderProgress&)>& progress)
+      : of_(of),
         options_(options),
         report_(progress),
-        camera_(fit_frame(scene.camera, options.width, options.height)),
-        camera_stage_(
-            camera_,
-            {options.width, options.height, options.samples, options.sampler, options.seed, options.filter},
-            options.simd),
-        camera_interiors_(scene, accelerator, camera_),
-        visible_pixels_(pixels_with_light(scene, camera_, accelerator.bounds(), options)),
         range_(samples_of(options)),
-        state_(empty_state(options, scene)),
+        state_(empty_state(options, of.scene)),
         film_(state_.film),
         tiles_(spiral_tiles(window_of(options), tile_size, options.tiles)) {
     state_.samples = range_.begin;
-    if (options.restore) restore(scene);
+    if (options.restore) restore();
+    if (!options.motion) maker_.emplace(of, options);
     progress_.samples_total = pixel_count() * (range_.end - range_.begin);
     if (options.seconds) progress_.seconds_total = *options.seconds;
     progress_.seconds_before = state_.seconds;
@@ -89,6 +69,7 @@ class Renderer {
     while (!is_over && !is_stopped()) {
       const std::uint64_t rays = state_.rays.total();
       const std::uint32_t begin = state_.samples, end = end_in_time(begin, end_of_pass(begin));
+      if (options_.motion && end > begin) stand_at(options_.motion->moment_of(begin));
       if (end > begin && !render_pass(begin, end)) break;
       allocate(end);
       // Where time is to decide, a pass may find that all pixels have converged.
@@ -103,9 +84,9 @@ class Renderer {
   }
 
  private:
-  void restore(const Scene& scene) {
+  void restore() {
     options_.restore(state_);
-    if (state_.samples >= half_pilot && !repeat_pilot(scene)) return;
+    if (state_.samples >= half_pilot && !repeat_pilot()) return;
     if (state_.samples < range_.begin || state_.samples > range_.end)
       throw_wanted(state_.samples, range_.end);
     for (const PixelRect& tile : tiles_)
@@ -144,12 +125,13 @@ class Renderer {
   }
 
   /// Makes again the samples by which a render that goes on has spread its own. False where it is stopped.
-  bool repeat_pilot(const Scene& scene) {
+  bool repeat_pilot() {
     if (!spreads_samples()) return true;
     RenderOptions pilot{.width = options_.width,
                         .height = options_.height,
                         .window = options_.window,
                         .samples = options_.samples,
+                        .motion = options_.motion,
                         .filter = options_.filter,
                         .sampler = options_.sampler,
                         .seed = options_.seed,
@@ -157,7 +139,7 @@ class Renderer {
                         .is_stopped = options_.is_stopped};
     const auto film_of = [&](std::uint32_t begin, std::uint32_t end) {
       pilot.range = SampleRange{begin, end};
-      return render(scene, accelerator_, integrator_, pilot);
+      return render(of_.scene, of_.accelerator, of_.integrator, pilot);
     };
     RenderResult half = film_of(0, half_pilot);
     half_pilot_ = pixel_means(half.film);
@@ -209,12 +191,24 @@ class Renderer {
 
   bool is_pause_due() const { return options_.is_pause_due && options_.is_pause_due(); }
 
-  /// The next place where a pass may end, whatever was before: 1, 2, 4, ..., longest_pass and its multiples.
-  /// Adaptive sampling decides between passes alone.
+  /// The samples of the passes that follow are of this moment.
+  void stand_at(std::uint32_t moment) {
+    if (maker_ && moment == moment_) return;
+    maker_.reset();
+    const TracedScene now = options_.motion->at(shutter_part(moment, options_.seed));
+    if (film_contents(options_, now.scene) != film_.contents())
+      throw Error("while the shutter is open, the scene's light groups become others");
+    maker_.emplace(now, options_);
+    moment_ = moment;
+  }
+
+  /// The next place where a pass may end, whatever was before: 1, 2, 4, ..., longest_pass and its multiples;
+  /// the end of a moment. Adaptive sampling decides between passes alone.
   std::uint32_t end_of_pass(std::uint32_t begin) const {
-    const std::uint32_t end =
+    std::uint32_t end =
         std::min(begin < longest_pass ? std::bit_ceil(begin + 1) : (begin / longest_pass + 1) * longest_pass,
                  range_.end);
+    if (options_.motion) end = std::min(end, options_.motion->end_of_moment(begin));
     return options_.adaptive
                ? std::min(end, (begin / options_.adaptive->batch + 1) * options_.adaptive->batch)
                : end;
@@ -275,7 +269,7 @@ class Renderer {
   /// False where it is stopped before all samples of the pass are done.
   bool render_tile(const PixelRect& tile, std::uint32_t begin, std::uint32_t end, Batch& batch) {
     std::vector<RecordedRay> rays;
-    Tracer tracer(accelerator_, options_.counting, options_.observe ? &rays : nullptr);
+    Tracer tracer(maker_->accelerator(), options_.counting, options_.observe ? &rays : nullptr);
     std::vector<PixelSample>& samples = batch.samples;
     samples.clear();
     const auto finish = [&] {
@@ -330,32 +324,17 @@ class Renderer {
     const std::uint32_t next = next_index(x, y);
     if (next != index) return next < index;
     return index % options_.adaptive->batch == 0 &&
-           (!contains(visible_pixels_, x, y) || has_enough_samples(film_.pixel(x, y), *options_.adaptive));
-  }
-
-  /// Fills the records. Where all lights are of one group, that has all of the radiance: nothing is divided.
-  void sample_lights(std::span<const CameraSample> camera_samples, Tracer& tracer,
-                     const RecordSpans& records) {
-    RecordSpans asked = records;
-    const PartRows& groups = records[Division::groups];
-    const bool is_one_group = !groups.empty() && groups[0].size() == 1;
-    if (is_one_group) asked[Division::groups] = {};
-    integrator_.sample(camera_samples, options_.sampler, tracer, asked);
-    if (!is_one_group) return;
-    for (std::size_t i = 0; i < records.color().size(); ++i) groups[i].front() = records.color()[i];
+           (!maker_->may_see(x, y) || has_enough_samples(film_.pixel(x, y), *options_.adaptive));
   }
 
   void add(Batch& batch, Tracer& tracer) {
     const std::span<CameraSample> camera_samples =
         std::span(batch.camera_samples).first(batch.samples.size());
     const RecordSpans records = batch.records.spans(batch.samples.size());
-    camera_stage_.make(batch.samples, camera_samples);
-    camera_interiors_.find(camera_samples);
-    sample_lights(camera_samples, tracer, records);
-    for (std::size_t i = 0; i < batch.samples.size(); ++i) {
-      if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
+    maker_->make(batch.samples, camera_samples, tracer, records);
+    for (std::size_t i = 0; state_.halves && i < batch.samples.size(); ++i) {
       const auto& [x, y, index] = batch.samples[i];
-      if (state_.halves) state_.halves->of(index).add(x, y, index, records, i);
+      state_.halves->of(index).add(x, y, index, records, i);
     }
     for (std::size_t begin = 0, end = 0; begin < batch.samples.size(); begin = end) {
       const auto& [x, y, index] = batch.samples[begin];
@@ -372,14 +351,11 @@ class Renderer {
     if (report_) report_(progress_);
   }
 
-  const Accelerator& accelerator_;
-  const Integrator& integrator_;
+  const TracedScene of_;
   const RenderOptions& options_;
   const std::function<void(const RenderProgress&)>& report_;
-  Camera camera_;
-  CameraStage camera_stage_;
-  CameraInteriors camera_interiors_;
-  PixelRect visible_pixels_;  ///< All others are black for certain.
+  std::optional<SampleMaker> maker_;  ///< Of what moves: at one moment,
+  std::uint32_t moment_ = 0;          ///< which is this.
   const SampleRange range_;
   RenderState state_;
   Film& film_;  ///< Its film.
@@ -405,7 +381,7 @@ RenderResult render(const Scene& scene, const Accelerator& accelerator, const In
                     const std::function<void(const RenderProgress&)>& progress) {
   check(options);
   const KeepDenormals keep;
-  return Renderer(scene, accelerator, integrator, options, progress).run();
+  return Renderer({scene, accelerator, integrator}, options, progress).run();
 }
 
 }  // namespace twinray

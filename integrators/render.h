@@ -46,10 +46,11 @@ struct RenderResult : RenderState {
   bool is_complete = true;  ///< False where it was stopped; pixels then have different numbers of samples.
 };
 
-/// Renders the scene as its camera sees it. The film depends on scene, integrator and options alone: not on
-/// threads, nor on the accelerator (but for embree_native). One sample goes through the pixel's centre,
-/// several through random points of it. `progress`, if set, is called from one thread at a time, after each
-/// tile and each look at the error. Throws Error for options out of range.
+/// Renders the scene as its camera sees it; where something moves, the scenes of its moments, and `scene`
+/// says what their film holds. The film depends on scene, integrator and options alone: not on threads, nor
+/// on the accelerator (but for embree_native). One sample goes through the pixel's centre, several through
+/// random points of it. `progress`, if set, is called from one thread at a time, after each tile and each
+/// look at the error. Throws Error for options out of range.
 RenderResult render(const Scene& scene, const Accelerator& accelerator, const Integrator& integrator,
                     const RenderOptions& options,
                     const std::function<void(const RenderProgress&)>& progress = {});

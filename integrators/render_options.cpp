@@ -48,6 +48,10 @@ void check(const RenderOptions& options) {
     throw Error("a layer of a render is asked for twice");
   if (options.noise_target) check_target(options);
   if (options.range || options.tiles) check_part(options);
+  if (options.motion && options.motion->samples_per_moment < 1)
+    throw Error("no samples of a moment; there must be 1 at least");
+  if (options.motion && options.adaptive)
+    throw Error("adaptive sampling stops where nothing has been seen yet: not where something moves");
   if (options.half_light_groups && !(options.half_layers && options.light_groups))
     throw Error("halves by light groups need halves, and a film by light groups");
   if (!options.adaptive) return;

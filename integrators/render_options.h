@@ -17,6 +17,7 @@
 #include "integrators/allocation.h"
 #include "integrators/half_films.h"
 #include "integrators/integrator.h"
+#include "integrators/motion.h"
 #include "integrators/tiles.h"
 
 namespace twinray {
@@ -50,6 +51,9 @@ struct RenderOptions {
   /// If set, sampling ends with the last pass over all pixels that is likely to be over by then, wall-clock
   /// time, or with the first one; the picture is that of as many samples.
   std::optional<double> seconds;
+  /// Of a scene in which something moves. Not where sampling is adaptive: what has not come yet would look
+  /// converged.
+  std::optional<Motion> motion;
   std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
   bool light_paths = false;   ///< Divide the light by the paths that it took,
   bool light_groups = false;  ///< by the scene's light groups.

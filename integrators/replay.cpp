@@ -12,7 +12,7 @@
 namespace twinray {
 namespace {
 
-CameraSample camera_sample(const ReplayScene& of, const RenderOptions& render, const PixelSample& sample) {
+CameraSample camera_sample(const TracedScene& of, const RenderOptions& render, const PixelSample& sample) {
   const Camera camera = fit_frame(of.scene.camera, render.width, render.height);
   const CameraSampling sampling{render.width,   render.height, render.samples,
                                 render.sampler, render.seed,   render.filter};
@@ -29,7 +29,7 @@ bool same_bits(float a, float b) {
 
 }  // namespace
 
-Replay replay(const ReplayScene& of, const PathOptions& path, const RenderOptions& render,
+Replay replay(const TracedScene& of, const PathOptions& path, const RenderOptions& render,
               const PixelSample& sample) {
   const KeepDenormals keep;
   Replay made{.sample = camera_sample(of, render, sample)};

@@ -11,6 +11,7 @@
 
 namespace twinray {
 
+class KnownPictures;
 class TextureStore;
 
 /// What a reader of scene files makes of a file where more than one reading is sensible.
@@ -33,6 +34,8 @@ struct LoadOptions {
   /// Not null: pictures of surfaces are not read, but added here.
   std::shared_ptr<std::vector<PictureUse>> pictures = {};
   std::shared_ptr<TextureStore> textures = {};  ///< Keeps the pictures of surfaces; null: all in memory.
+
+  std::shared_ptr<KnownPictures> known = {};  ///< Not null: keeps what was read for the next time.
 
   void add_file(const std::string& path) const {
     if (files && !path.empty()) files->push_back(path);

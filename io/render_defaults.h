@@ -10,6 +10,16 @@
 
 namespace twinray {
 
+/// When what moves is seen, in seconds.
+struct Shutter {
+  double open = 0, close = 0;
+
+  double length() const { return close - open; }
+  /// At a part of the time that it is open.
+  double at(double part) const { return open + part * length(); }
+  bool operator==(const Shutter&) const = default;
+};
+
 /// What a scene file says about its picture: it holds where nobody asks for something else.
 struct RenderDefaults {
   struct Resolution {
@@ -20,6 +30,7 @@ struct RenderDefaults {
   std::optional<std::uint32_t> samples;    ///< Per pixel.
   std::optional<int> max_depth;            ///< Scattering events.
   std::optional<PixelFilter> filter;
+  std::optional<Shutter> shutter;  ///< Of a scene in which something moves.
 
   /// The crop of a picture of this size: the same part of it, of a pixel at least.
   std::optional<std::array<int, 4>> crop_of(const Resolution& size) const {

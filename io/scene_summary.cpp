@@ -73,9 +73,12 @@ std::string plural(std::size_t count, const char* one, const char* many) {
 std::string rgb_text(const Rgb& c) { return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b); }
 
 std::string animation_line(const AnimationSummary& animation) {
-  return fmt::format("animation: {:g} to {:g} s, {}", animation.first, animation.last,
-                     animation.shown ? fmt::format("shown at {:g} s", *animation.shown)
-                                     : "shown at rest; --time=T shows another moment");
+  const auto& [first, last, shown, shutter] = animation;
+  return fmt::format(
+      "animation: {:g} to {:g} s, {}", first, last,
+      shutter ? fmt::format("the shutter is open from {:g} to {:g} s", shutter->open, shutter->close)
+      : shown ? fmt::format("shown at {:g} s", *shown)
+              : "shown at rest; --time=T shows another moment, --time=T,END motion");
 }
 
 std::string other_cameras(const SceneSummary& summary) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "io/render_defaults.h"
 
 namespace twinray {
 
@@ -24,7 +25,8 @@ struct LightSummary {
 /// From the first moment that a file's animations say something of to the last, in seconds.
 struct AnimationSummary {
   double first = 0, last = 0;
-  std::optional<double> shown;  ///< The moment that is shown; none: all at rest.
+  std::optional<double> shown;     ///< The moment that is shown; none: all at rest.
+  std::optional<Shutter> shutter;  ///< In place of one moment: all that the picture is to show.
 };
 
 struct SceneSummary {

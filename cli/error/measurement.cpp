@@ -5,6 +5,7 @@
 
 #include "check/visible_emitters.h"
 #include "cli/console.h"
+#include "cli/moving_scene.h"
 #include "cli/render_scene.h"
 #include "cli/render_talk.h"
 #include "cli/resources.h"
@@ -73,11 +74,12 @@ void add(const Sampled& picture, const Measurement& measurement, Point& point) {
 Subject::Subject(const OptionSet& set) : set_(set) {
   RenderArguments& arguments = set_.arguments;
   RenderTalk silence;
-  scene_ = std::make_unique<const Scene>(load_for_render(arguments, silence).scene);
-  choose_engine(*scene_->geometry, arguments);
-  check_memory(memory_needs(arguments, *scene_));
-  integrator_ = make_integrator(arguments, *scene_);
-  accelerator_ = build_accelerator(arguments.backend, scene_->geometry, arguments.build);
+  loaded_ = std::make_unique<const LoadedScene>(load_for_render(arguments, silence));
+  const Scene& scene = loaded_->scene;
+  choose_engine(*scene.geometry, arguments);
+  check_memory(memory_needs(arguments, scene));
+  integrator_ = make_integrator(arguments, scene);
+  accelerator_ = build_accelerator(arguments.backend, scene.geometry, arguments.build);
 }
 
 Sampled Subject::render(std::uint64_t seed, std::uint32_t samples, const std::function<bool()>& is_stopped,
@@ -87,7 +89,9 @@ Sampled Subject::render(std::uint64_t seed, std::uint32_t samples, const std::fu
   options.samples = samples;
   options.is_stopped = is_stopped;
   const double begin = process_seconds();
-  const RenderResult result = twinray::render(*scene_, *accelerator_, *integrator_, options,
+  MovingScene moving(set_.arguments, *loaded_);
+  if (set_.arguments.shutter) options.motion = moving.motion();
+  const RenderResult result = twinray::render(loaded_->scene, *accelerator_, *integrator_, options,
                                               [&](const RenderProgress& all) { progress(all.samples_done); });
   const double seconds = process_seconds() - begin;
   if (const std::string rejected = rejection_text(result.film, set_.arguments); !rejected.empty())
@@ -98,7 +102,7 @@ Sampled Subject::render(std::uint64_t seed, std::uint32_t samples, const std::fu
 PixelMask Subject::without_emitters(const std::function<bool()>& is_stopped) const {
   RenderOptions options = set_.arguments.render;
   options.is_stopped = is_stopped;
-  return pixels_without_emitters(*scene_, *accelerator_, options);
+  return pixels_without_emitters(loaded_->scene, *accelerator_, options);
 }
 
 std::uint64_t Subject::pixel_count() const {

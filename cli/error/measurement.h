@@ -46,7 +46,7 @@ class Subject {
 
  private:
   OptionSet set_;
-  std::unique_ptr<const Scene> scene_;
+  std::unique_ptr<const LoadedScene> loaded_;
   std::unique_ptr<const Accelerator> accelerator_;
   std::unique_ptr<const Integrator> integrator_;
 };

@@ -9,6 +9,7 @@ namespace twinray {
 namespace {
 
 constexpr Range<float> lengths{0, 1e12f};
+constexpr Range<double> moments{-1e9, 1e9};  // In seconds.
 constexpr Range<float> parts_of_frame{-100, 100};
 constexpr Range<float> frame_heights{1e-12f, 1e12f};
 constexpr Range<int> blade_counts{3, 64};
@@ -86,6 +87,23 @@ void parse_clip(const std::string& word, RenderArguments& arguments) {
   arguments.changes.clip = ClipPlanes{near, far};
 }
 
+/// A moment, or the shutter's time and how many samples see the same moment of it.
+void parse_time(const std::string& word, RenderArguments& arguments) {
+  const auto [times, samples] = halves(word, ':');
+  const auto [begin, end] = halves(times, ',');
+  arguments.load.time = parse_number("--time", begin, moments);
+  arguments.shutter.reset();
+  if (times.size() == begin.size() && times.size() < word.size())
+    throw UsageError(
+        fmt::format("--time: {} is one moment; END is missing before the samples of each", begin));
+  if (times.size() == begin.size()) return;
+  arguments.shutter = {*arguments.load.time, parse_number("--time", end, moments)};
+  if (!(arguments.shutter->length() > 0))
+    throw UsageError(fmt::format("--time: {} is not less than {}", begin, end));
+  if (times.size() < word.size())
+    arguments.samples_per_moment = parse_number("--time", samples, sample_counts);
+}
+
 }  // namespace
 
 void add_camera_options(CLI::App& app, RenderRequest& request) {
@@ -98,8 +116,9 @@ void add_camera_options(CLI::App& app, RenderRequest& request) {
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
                  arguments.load.camera_name);
-  group.add_number({"--time", "T", "What a glTF file moves is seen then, in seconds (at rest)"},
-                   arguments.load.time, Range<double>{-1e9, 1e9});
+  group.add_words(
+      {"--time", "T[,END[:N]]", "When what moves is seen, in seconds; N samples a moment (at rest)"}, 1,
+      [&arguments](const Words& words) { parse_time(words[0], arguments); });
   group.add_words({"--projection", "TYPE[:N]", "perspective:FOV orthographic fisheye latitude-longitude ..."},
                   1, [&changes](const Words& words) { changes.projection = parse_projection(words[0]); });
   group.add_words({"--lens", "RADIUS,DISTANCE", "Depth of field: a lens, and how far away is in focus"}, 1,

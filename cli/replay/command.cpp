@@ -3,6 +3,7 @@
 
 #include "cli/console.h"
 #include "cli/interrupt.h"
+#include "cli/moving_scene.h"
 #include "cli/outputs.h"
 #include "cli/render_scene.h"
 #include "cli/replay/lines.h"
@@ -50,9 +51,11 @@ int replay_command(const RenderArguments& asked) {
   choose_engine(*loaded.scene.geometry, arguments);
   const auto integrator = make_integrator(arguments, loaded.scene);
   const auto accelerator = build_accelerator(arguments.backend, loaded.scene.geometry, arguments.build);
-  const Replay made =
-      replay({loaded.scene, *accelerator, *integrator}, arguments.path, arguments.render, request.sample);
-  const ReplayedSample replayed{arguments, loaded.scene, made};
+  MovingScene moving(arguments, loaded);
+  const TracedScene seen = arguments.shutter ? moving.of_sample(request.sample.index)
+                                             : TracedScene{loaded.scene, *accelerator, *integrator};
+  const Replay made = replay(seen, arguments.path, arguments.render, request.sample);
+  const ReplayedSample replayed{arguments, seen.scene, made};
   write(request, replayed);
   if (!arguments.quiet || outputs.empty()) console::write(replay_text(replayed));
   if (same_bits(made.path.sum(), made.radiance)) return 0;

@@ -14,41 +14,41 @@ namespace twinray {
 namespace {
 
 /// Objects keep their order; a number is a float, and has its digits.
-using Json = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, float>;
+using FloatJson = nlohmann::basic_json<nlohmann::ordered_map, std::vector, std::string, bool, std::int64_t,
+                                       std::uint64_t, float>;
 
-Json json_of(float x) {
-  return std::isfinite(x) ? Json(x) : Json(fmt::format("{}", std::isnan(x) ? std::fabs(x) : x));
+FloatJson json_of(float x) {
+  return std::isfinite(x) ? FloatJson(x) : FloatJson(fmt::format("{}", std::isnan(x) ? std::fabs(x) : x));
 }
-Json json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }
-Json json_of(const Rgb& c) { return {json_of(c.r), json_of(c.g), json_of(c.b)}; }
+FloatJson json_of(const Vec3& v) { return {json_of(v.x), json_of(v.y), json_of(v.z)}; }
+FloatJson json_of(const Rgb& c) { return {json_of(c.r), json_of(c.g), json_of(c.b)}; }
 
-Json json_of(const Ray& ray) {
+FloatJson json_of(const Ray& ray) {
   return {{"origin", json_of(ray.origin)},
           {"direction", json_of(ray.direction)},
           {"t_min", json_of(ray.t_min)},
           {"t_max", json_of(ray.t_max)}};
 }
 
-Json light_json(const Scene& scene, std::uint32_t light) {
+FloatJson light_json(const Scene& scene, std::uint32_t light) {
   if (light == no_light) return nullptr;
   return {
       {"index", light}, {"name", scene.lights[light].name}, {"type", type_of(scene.lights[light].source)}};
 }
 
-Json json_of(const std::optional<PathTerm>& term) {
+FloatJson json_of(const std::optional<PathTerm>& term) {
   if (!term) return nullptr;
   return {{"light", json_of(term->light)}, {"term", json_of(term->term)}};
 }
 
-Json json_of(const Scene& scene, const FoundLight& found) {
+FloatJson json_of(const Scene& scene, const FoundLight& found) {
   return {{"light", light_json(scene, found.light)},
           {"radiance", json_of(found.radiance)},
           {"light_pdf", json_of(found.pdf)},
           {"weight", json_of(found.weight)}};
 }
 
-Json json_of(const Scene& scene, const LoggedLightSample& logged) {
+FloatJson json_of(const Scene& scene, const LoggedLightSample& logged) {
   const TakenLightSample& taken = logged.taken;
   const bool is_group = taken.source >= scene.lights.size();
   return {{"light", light_json(scene, is_group ? taken.sample.light : taken.source)},
@@ -63,7 +63,7 @@ Json json_of(const Scene& scene, const LoggedLightSample& logged) {
           {"visibility", json_of(taken.visibility)}};
 }
 
-Json json_of(const Scene& scene, const TakenDirection& taken) {
+FloatJson json_of(const Scene& scene, const TakenDirection& taken) {
   return {{"direction", json_of(taken.direction)},
           {"pdf", json_of(taken.pdf)},
           {"light", light_json(scene, taken.light)},
@@ -71,12 +71,12 @@ Json json_of(const Scene& scene, const TakenDirection& taken) {
           {"scattered", json_of(taken.scattered)}};
 }
 
-Json surface_json(const Scene& scene, const PathVertex& vertex) {
+FloatJson surface_json(const Scene& scene, const PathVertex& vertex) {
   const Interaction& at = *vertex.surface;
   const SurfacePoint& point = at.point();
   const Material& material = scene.materials[at.material()];
   const Hit& hit = vertex.arrival.hit;
-  Json result{
+  FloatJson result{
       {"shape", hit.mesh},
       {"shape_name", std::visit([](const auto& s) { return s.name; }, scene.geometry->shapes()[hit.mesh])},
       {"primitive", hit.primitive},
@@ -92,7 +92,7 @@ Json surface_json(const Scene& scene, const PathVertex& vertex) {
   return result;
 }
 
-Json json_of(const LoggedScattering& scattering) {
+FloatJson json_of(const LoggedScattering& scattering) {
   if (!scattering.next) return {{"goes_on", false}};
   return {{"goes_on", true},
           {"event", event_name(*scattering.next)},
@@ -105,29 +105,29 @@ Json json_of(const LoggedScattering& scattering) {
           {"throughput", json_of(scattering.next->throughput)}};
 }
 
-Json json_of(const RouletteGame& game) {
+FloatJson json_of(const RouletteGame& game) {
   return {{"probability", json_of(game.probability)},
           {"draw", json_of(game.draw)},
           {"is_survived", game.is_survived()},
           {"throughput", json_of(game.throughput)}};
 }
 
-Json json_of(const Scene& scene, const PathVertex& vertex);
+FloatJson json_of(const Scene& scene, const PathVertex& vertex);
 
 template <typename List>
-Json list_json(const Scene& scene, const List& list) {
-  Json all = Json::array();
+FloatJson list_json(const Scene& scene, const List& list) {
+  FloatJson all = FloatJson::array();
   for (const auto& entry : list) all.push_back(json_of(scene, entry));
   return all;
 }
 
-Json json_of(const Scene& scene, const PathVertex& vertex) {
-  Json result{{"ray", json_of(vertex.arrival.ray)},
-              {"is_miss", vertex.arrival.hit.is_miss()},
-              {"transmittance", json_of(vertex.arrival.transmittance)},
-              {"throughput", json_of(vertex.arrival.throughput)},
-              {"found_lights", list_json(scene, vertex.found)},
-              {"emission", json_of(vertex.emission)}};
+FloatJson json_of(const Scene& scene, const PathVertex& vertex) {
+  FloatJson result{{"ray", json_of(vertex.arrival.ray)},
+                   {"is_miss", vertex.arrival.hit.is_miss()},
+                   {"transmittance", json_of(vertex.arrival.transmittance)},
+                   {"throughput", json_of(vertex.arrival.throughput)},
+                   {"found_lights", list_json(scene, vertex.found)},
+                   {"emission", json_of(vertex.emission)}};
   if (!vertex.surface) return result;
   result["t"] = vertex.arrival.hit.t;
   result["surface"] = surface_json(scene, vertex);
@@ -144,21 +144,21 @@ Json json_of(const Scene& scene, const PathVertex& vertex) {
 std::string replay_json(const ReplayedSample& replayed) {
   const RenderOptions& render = replayed.arguments.render;
   const PathLog& path = replayed.replay.path;
-  const Json result{{"program", version_name()},
-                    {"scene", replayed.arguments.scene},
-                    {"resolution", {render.width, render.height}},
-                    {"samples_per_pixel", render.samples},
-                    {"seed", render.seed},
-                    {"sampler", sampler_name(render.sampler)},
-                    {"filter", filter_text(render.filter)},
-                    {"weight", json_of(replayed.replay.sample.weight)},
-                    {"pixel", {replayed.place().x, replayed.place().y}},
-                    {"sample", replayed.place().index},
-                    {"vertices", list_json(replayed.scene, path.vertices())},
-                    {"end", end_text(path.end())},
-                    {"sum", json_of(path.sum())},
-                    {"rendered", json_of(replayed.replay.radiance)}};
-  return result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const FloatJson result{{"program", version_name()},
+                         {"scene", replayed.arguments.scene},
+                         {"resolution", {render.width, render.height}},
+                         {"samples_per_pixel", render.samples},
+                         {"seed", render.seed},
+                         {"sampler", sampler_name(render.sampler)},
+                         {"filter", filter_text(render.filter)},
+                         {"weight", json_of(replayed.replay.sample.weight)},
+                         {"pixel", {replayed.place().x, replayed.place().y}},
+                         {"sample", replayed.place().index},
+                         {"vertices", list_json(replayed.scene, path.vertices())},
+                         {"end", end_text(path.end())},
+                         {"sum", json_of(path.sum())},
+                         {"rendered", json_of(replayed.replay.radiance)}};
+  return result.dump(2, ' ', false, FloatJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace twinray

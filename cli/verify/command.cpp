@@ -194,7 +194,7 @@ int verify_command(const VerifyArguments& asked) {
   const std::uint64_t seed = seed_of(asked);
   const std::vector<PixelRect> tiles = chosen_tiles(window, asked.tiles, seed);
   const std::vector<WrongTile> differences =
-      check_tiles({picture, claim.is_denoised}, arguments, loaded.scene, tiles, folder);
+      check_tiles({picture, claim.is_denoised}, arguments, loaded, tiles, folder);
   print_differences(differences);
   const std::uint32_t all = tile_grid(window, tile_size).count();
   if (!asked.quiet || !differences.empty())

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <random>
 
+#include "cli/moving_scene.h"
 #include "cli/render_outputs.h"
 #include "cli/render_scene.h"
 #include "core/error.h"
@@ -46,13 +48,18 @@ std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count
 }
 
 std::vector<WrongTile> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
-                                   const Scene& scene, const std::vector<PixelRect>& tiles,
+                                   const LoadedScene& loaded, const std::vector<PixelRect>& tiles,
                                    const ScratchFolder& folder) {
+  const Scene& scene = loaded.scene;
   const auto integrator = make_integrator(arguments, scene);
   const auto accelerator = build_accelerator(arguments.backend, scene.geometry, arguments.build);
   std::vector<std::optional<RenderResult>> results(tiles.size());
-  parallel_for(tiles.size(), 1, arguments.render.threads, [&](std::size_t i, std::size_t) {
-    results[i] = render(scene, *accelerator, *integrator, arguments_of_tile(arguments, tiles[i]).render);
+  const int threads = arguments.shutter ? 1 : arguments.render.threads;  // Each moment fills the memory.
+  parallel_for(tiles.size(), 1, threads, [&](std::size_t i, std::size_t) {
+    RenderOptions options = arguments_of_tile(arguments, tiles[i]).render;
+    std::optional<MovingScene> moving;
+    if (arguments.shutter) options.motion = moving.emplace(arguments, loaded).motion();
+    results[i] = render(scene, *accelerator, *integrator, options);
   });
   const PixelRect window = window_of(arguments.render);
   const SceneNames names = scene_names(scene, film_contents(arguments.render, scene));

@@ -30,7 +30,7 @@ struct ClaimedPicture {
 /// Renders these tiles, and writes each as the picture is written, to a file in the folder, to read it again:
 /// so that every way of encoding is that of the picture. Throws Error.
 std::vector<WrongTile> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
-                                   const Scene& scene, const std::vector<PixelRect>& tiles,
+                                   const LoadedScene& loaded, const std::vector<PixelRect>& tiles,
                                    const ScratchFolder& folder);
 
 }  // namespace twinray

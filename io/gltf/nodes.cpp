@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quaternion.h"
 #include "io/gltf/document.h"
 #include "io/gltf/slot.h"
 
@@ -16,16 +17,6 @@ namespace {
 constexpr int no_node = -1;
 
 std::string node_pointer(int node) { return fmt::format("/nodes/{}", node); }
-
-/// Of a unit quaternion.
-Transform rotation_of(const std::array<double, 4>& q) {
-  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-  if (!(length > 0) || !std::isfinite(length)) return {};
-  const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
-  return {{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 0},
-           {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 0},
-           {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0}}};
-}
 
 template <std::size_t n>
 void assign(std::array<double, n>& target, const std::vector<double>& numbers) {
@@ -99,7 +90,8 @@ Transform transform_of(const GltfPose& pose) {
   if (pose.matrix) return *pose.matrix;
   const auto& [tx, ty, tz] = pose.translation;
   const auto& [sx, sy, sz] = pose.scale;
-  return Transform::translation(tx, ty, tz) * rotation_of(pose.rotation) * Transform::scaling(sx, sy, sz);
+  const auto& [x, y, z, w] = pose.rotation;
+  return Transform::translation(tx, ty, tz) * rotation_of({x, y, z, w}) * Transform::scaling(sx, sy, sz);
 }
 
 std::vector<GltfPose> rest_poses(GltfDocument& document) {

@@ -78,14 +78,17 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
   if (shape->mesh.name.empty()) shape->mesh.name = fmt::format("{}, line {}", type, parameters.place().line);
   // A surface that is not there has two sides that are alike: turned around, it has the media turned.
   const bool is_turned = state.is_reversed && materials_.is_interface(state.material);
-  const auto& [within, without] = is_turned ? std::pair(state.medium_outside, state.medium_inside)
-                                            : std::pair(state.medium_inside, state.medium_outside);
+  // With the same medium on both sides it divides nothing: whatever is around it goes on within it.
+  const bool divides_media = state.medium_inside != state.medium_outside;
+  const auto& [within, without] = !divides_media ? std::pair<PbrtMediumPointer, PbrtMediumPointer>()
+                                  : is_turned    ? std::pair(state.medium_outside, state.medium_inside)
+                                                 : std::pair(state.medium_inside, state.medium_outside);
   const std::uint32_t asset = object_ ? std::uint32_t(assets_.size()) - 1 : no_asset;
   const bool is_dark = state.area_light && materials_.is_interface(state.material);
   if (is_dark)
     parameters.place().warn(context_.warnings, "an area light on an interface is left out, as pbrt does");
   const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
-                  state.transform,
+                  state.space.transform,
                   state.is_reversed && !is_turned,
                   state.material,
                   may_absorb(within) || may_absorb(without),
@@ -222,7 +225,7 @@ void PbrtBuilder::add_glow() {
 
 void PbrtBuilder::add_light(const std::string& type, const PbrtParameters& parameters,
                             const PbrtState& state) {
-  const auto light = read_light(type, parameters, state.transform, context_);
+  const auto light = read_light(type, parameters, state.space.transform, context_);
   if (light && !context_.options.surfaces_only)
     lights_.push_back({fmt::format("{} light, line {}", type, parameters.place().line), *light});
 }

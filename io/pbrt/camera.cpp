@@ -140,12 +140,12 @@ Camera placed_panorama(const Camera& axes, Projection projection) {
 
 }  // namespace
 
-PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, const Transform& from_world,
-                       PbrtContext& context) {
+PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters,
+                       const std::optional<Transform>& to_world, PbrtContext& context) {
   PbrtCamera camera;
   camera.is_given = true;
   camera.projection = projection_of(type, parameters);
-  camera.from_world = from_world;
+  camera.to_world = to_world;
   camera.place = parameters.place();
   if (camera.projection == Projection::perspective)
     camera.fov_degrees = parameters.real("fov", 90, {1e-3, 179.9});
@@ -156,8 +156,11 @@ PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters
     camera.focal_distance = parameters.real("focaldistance", 1e6f, {1e-12, 1e30});
   }
   const float open = parameters.real("shutteropen", 0), close = parameters.real("shutterclose", 1);
-  camera.exposure_seconds = std::fabs(close - open);
-  if (!(camera.exposure_seconds > 0)) camera.place.fail("the shutter closes when it opens: no light gets in");
+  camera.shutter = {open, close};
+  if (!(open < close))
+    camera.place.fail(
+        "the shutter closes when it opens, or before: no light gets in; shutteropen must be less "
+        "than shutterclose");
   parameters.warn_of_unused(context.warnings);
   return camera;
 }
@@ -313,7 +316,7 @@ bool is_evenly_wide(const Transform& to_world) {
 }  // namespace
 
 Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context) {
-  const auto to_world = inverse(camera.from_world);
+  const std::optional<Transform>& to_world = camera.to_world;
   if (!to_world) camera.place.fail("the transform of this camera flattens what it sees");
   Camera placed;
   placed.projection = camera.projection;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The camera, the film and the other statements before WorldBegin: how the scene is seen.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "core/camera.h"
@@ -20,8 +21,8 @@ struct PbrtCamera {
   std::array<float, 4> window{};  ///< x and y from and to, in place of the frame's shape.
   bool has_window = false;
   float lens_radius = 0, focal_distance = 1e6f;
-  float exposure_seconds = 1;
-  Transform from_world;  ///< From world to camera space.
+  Shutter shutter{0, 1};
+  std::optional<Transform> to_world;  ///< Nothing where it flattens.
   PbrtPlace place;
 };
 
@@ -30,8 +31,8 @@ struct PbrtFilm {
   float iso = 100;
 };
 
-PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, const Transform& from_world,
-                       PbrtContext& context);
+PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters,
+                       const std::optional<Transform>& to_world, PbrtContext& context);
 PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, PbrtContext& context);
 /// Sets the samples per pixel.
 void read_sampler(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,

@@ -43,7 +43,10 @@ Mesh read_vertices(const PbrtParameters& parameters, WarningList& warnings) {
   if (mesh.positions.empty()) parameters.place().fail("this shape needs its positions, \"point3 P\"");
   mesh.normals = triples(parameters.tuples("N", 3));
   mesh.uvs = pairs(parameters.tuples("uv", 2));
-  for (const char* unused : {"S", "faceIndices"}) parameters.find(unused);  // nothing rendered needs them
+  parameters.find("faceIndices");  // Nothing rendered needs them.
+  if (const PbrtParameter* tangents = parameters.find("S"))
+    tangents->place.warn(warnings,
+                         "tangents are not rendered: those of the texture coordinates stand for them");
   check_length(mesh.normals, mesh.positions.size(), "N", parameters, warnings);
   check_length(mesh.uvs, mesh.positions.size(), "uv", parameters, warnings);
   return mesh;
@@ -116,7 +119,11 @@ Mesh read_loop_mesh(const PbrtParameters& parameters, WarningList& warnings) {
   if (const double triangles = loop_triangles(control.triangles.size(), levels); triangles > most_triangles)
     parameters.place().fail(fmt::format("{} levels of {} triangles make {:.0f}; at most {:.0f} are valid",
                                         levels, control.triangles.size(), triangles, most_triangles));
-  if (auto divided = loop_subdivided(control, levels)) return std::move(*divided);
+  if (auto divided = loop_subdivided(control, levels)) {
+    // pbrt's point to where the control mesh's corners appear clockwise, and say what is outside.
+    for (Vec3& normal : divided->normals) normal = -normal;
+    return std::move(*divided);
+  }
   parameters.place().warn(
       warnings,
       "this control mesh is no surface (more than two triangles at an edge, two windings, or "

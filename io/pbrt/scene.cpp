@@ -23,6 +23,8 @@ constexpr std::array within_world{
     named_material,    object_begin,    object_end,    object_instance, reverse_orientation, shape,
     texture,           import_begin};
 
+constexpr std::array placed{camera, light_source, object_instance, shape, texture};
+
 template <std::size_t n>
 bool is_among(PbrtDirective directive, const std::array<PbrtDirective, n>& list) {
   return std::find(list.begin(), list.end(), directive) != list.end();
@@ -31,25 +33,31 @@ bool is_among(PbrtDirective directive, const std::array<PbrtDirective, n>& list)
 /// The reader: each statement goes to whom it concerns.
 class Reader {
  public:
-  explicit Reader(PbrtContext& context) : context_(context), builder_(context) {}
+  explicit Reader(PbrtContext& context)
+      : context_(context), builder_(context), states_(context.options.time) {}
 
   void take(PbrtStatement& statement) {
     check_block(statement);
     statement.parameters.color_space = states_.now().color_space;
     if (states_.take_transform(statement, context_.warnings)) return;
+    if (is_among(statement.directive, placed)) states_.place();
     if (take_state(statement) || take_view(statement)) return;
     take_world(statement);
   }
 
   LoadedScene finish() {
     states_.check_ended();
-    LoadedScene loaded = builder_.finish(camera_.exposure_seconds * film_.iso / 100);
+    LoadedScene loaded = builder_.finish(float(camera_.shutter.length()) * film_.iso / 100);
     loaded.summary.unit_name.clear();
     loaded.defaults = film_.defaults;
     loaded.scene.camera = camera_.is_given ? place_camera(camera_, film_.defaults, context_)
                                            : default_camera(loaded.scene.geometry->bounds());
     if (camera_.is_given) loaded.summary.camera = projection_name(camera_.projection);
     if (camera_.is_given) loaded.summary.cameras.push_back(projection_name(camera_.projection));
+    if (const auto times = states_.times()) {
+      loaded.summary.animation = AnimationSummary{times->first, times->second, context_.options.time};
+      loaded.defaults.shutter = camera_.shutter;
+    }
     return loaded;
   }
 
@@ -120,7 +128,7 @@ class Reader {
         if (may_absorb(states_.now().medium_outside))
           statement.place.warn(context_.warnings,
                                "the camera is within the media of the shapes around it alone");
-        camera_ = read_camera(statement.words[0], parameters, states_.now().transform, context_);
+        camera_ = read_camera(statement.words[0], parameters, states_.camera_transform(), context_);
         states_.name_camera();
         return true;
       case film: {
@@ -183,7 +191,7 @@ class Reader {
         parameters.set_defaults(states_.defaults(PbrtTarget::texture));
         builder_.materials().textures.define(
             type, statement.words[1],
-            {.texture_class = statement.words[2], .parameters = parameters, .to_world = state.transform});
+            {.texture_class = statement.words[2], .parameters = parameters, .to_world = states_.present()});
         break;
       case make_named_medium:
         parameters.set_defaults(states_.defaults(PbrtTarget::medium));
@@ -194,7 +202,7 @@ class Reader {
         state.medium_outside = builder_.media().named(statement.words.back(), statement.place);
         break;
       case object_instance:
-        builder_.add_instance(type, state.transform, statement.place);
+        builder_.add_instance(type, states_.present(), statement.place);
         break;
       default:
         break;

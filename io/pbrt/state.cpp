@@ -5,13 +5,12 @@
 
 #include <algorithm>
 
+#include "core/quaternion.h"
+
 namespace twinray {
 namespace {
 
 using enum PbrtDirective;
-
-constexpr const char* motion_note =
-    "motion is not rendered: all stands where it begins, and transforms of its end are left out";
 
 Transform required(const std::optional<Transform>& t, const PbrtStatement& statement, const char* otherwise) {
   if (!t) statement.place.fail(otherwise);
@@ -55,7 +54,37 @@ Transform factor_of(const PbrtStatement& statement) {
   }
 }
 
+bool is_same(const Transform& a, const Transform& b) {
+  return std::equal(&a.m[0][0], &a.m[0][0] + 12, &b.m[0][0]);
+}
+
 }  // namespace
+
+double PbrtStates::part() const {
+  if (!time_ || *time_ <= first_) return 0;
+  return *time_ < last_ ? (*time_ - first_) / (last_ - first_) : 1;
+}
+
+void PbrtStates::move(const PbrtMotion& motion) {
+  if (is_same(motion.start, motion.end)) {
+    now_.space = {motion.start, {}};
+    return;
+  }
+  now_.space = {interpolated(motion.start, motion.end, part()), motion};
+}
+
+template <typename Change>
+void PbrtStates::change(const Change& change) {
+  PbrtSpace& space = now_.space;
+  if (!space.motion && now_.is_start_active && now_.is_end_active) {
+    space.transform = change(space.transform);
+    return;
+  }
+  PbrtMotion motion = space.motion.value_or(PbrtMotion{space.transform, space.transform});
+  if (now_.is_start_active) motion.start = change(motion.start);
+  if (now_.is_end_active) motion.end = change(motion.end);
+  move(motion);
+}
 
 bool PbrtStates::take_transform(const PbrtStatement& statement, WarningList& warnings) {
   switch (statement.directive) {
@@ -69,13 +98,14 @@ bool PbrtStates::take_transform(const PbrtStatement& statement, WarningList& war
       now_.is_end_active = statement.words[0] != "StartTime";
       return true;
     case transform_times:
+      first_ = statement.numbers[0], last_ = statement.numbers[1];
       return true;
     case coordinate_system:
-      systems_[statement.words[0]] = now_.transform;
+      systems_[statement.words[0]] = now_.space;
       return true;
     case coord_sys_transform:
       if (const auto found = systems_.find(statement.words[0]); found != systems_.end())
-        now_.transform = found->second;
+        now_.space = found->second;
       else
         statement.place.warn(warnings, fmt::format("no coordinate system \"{}\" was named before; the "
                                                    "transform stays as it is",
@@ -86,10 +116,8 @@ bool PbrtStates::take_transform(const PbrtStatement& statement, WarningList& war
   }
   if (!is_transform(statement.directive)) return false;
   const Transform factor = factor_of(statement);
-  if (!now_.is_start_active || !now_.is_end_active) statement.place.warn(warnings, motion_note);
-  if (!now_.is_start_active) return true;
   const bool is_anew = statement.directive == identity || statement.directive == transform;
-  now_.transform = is_anew ? factor : now_.transform * factor;
+  change([&](const Transform& before) { return is_anew ? factor : before * factor; });
   return true;
 }
 
@@ -126,12 +154,23 @@ void PbrtStates::check_ended() const {
   last.place.fail(fmt::format("this {} has no end", last.name));
 }
 
+std::optional<PbrtSpace> PbrtStates::camera_space() const {
+  const PbrtSpace& space = now_.space;
+  if (!space.motion) {
+    const auto to_world = inverse(space.transform);
+    return to_world ? std::optional(PbrtSpace{*to_world, {}}) : std::nullopt;
+  }
+  const auto start = inverse(space.motion->start), end = inverse(space.motion->end);
+  if (!start || !end) return {};
+  return PbrtSpace{interpolated(*start, *end, part()), PbrtMotion{*start, *end}};
+}
+
 void PbrtStates::name_camera() {
-  if (const auto to_world = inverse(now_.transform)) systems_["camera"] = *to_world;
+  if (const auto to_world = camera_space()) systems_["camera"] = *to_world;
 }
 
 void PbrtStates::begin_world() {
-  now_.transform = {};
+  now_.space = {};
   now_.is_start_active = now_.is_end_active = true;
   systems_["world"] = {};
 }

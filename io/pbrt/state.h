@@ -4,7 +4,9 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/pbrt/light.h"
@@ -17,9 +19,20 @@ namespace twinray {
 /// What Attribute statements give defaults to.
 enum class PbrtTarget { shape, light, material, medium, texture };
 
+/// Where something that moves stands at the beginning and at the end (TransformTimes).
+struct PbrtMotion {
+  Transform start, end;
+};
+
+/// From object to world space (before WorldBegin: from world to camera space).
+struct PbrtSpace {
+  Transform transform;               ///< At the time that is shown.
+  std::optional<PbrtMotion> motion;  ///< None of what stands still.
+};
+
 struct PbrtState {
-  Transform transform;  ///< From object to world space (before WorldBegin: from world to camera space).
-  /// Transforms change where all stands at the beginning, and what motion would end with.
+  PbrtSpace space;
+  /// Transforms change where all stands at the beginning, and at the end.
   bool is_start_active = true, is_end_active = true;
   bool is_reversed = false;
   std::uint32_t material = 0;
@@ -35,9 +48,25 @@ class PbrtStates {
   PbrtState& now() { return now_; }
   const PbrtState& now() const { return now_; }
 
+  /// At a time, or at the beginning.
+  explicit PbrtStates(std::optional<double> time) : time_(time) {}
+
   /// Changes the transform as a statement says, and returns whether the statement is one that does. Throws
   /// Error where it means no transform.
   bool take_transform(const PbrtStatement& statement, WarningList& warnings);
+  const Transform& present() const { return now_.space.transform; }
+  /// Something stands there.
+  void place() { moves_ = moves_ || now_.space.motion; }
+  /// From camera to world space, of a camera whose transform from world to camera space is the present one:
+  /// what moves moves in the world. Nothing where it flattens.
+  std::optional<Transform> camera_transform() const {
+    const auto space = camera_space();
+    return space ? std::optional(space->transform) : std::nullopt;
+  }
+  /// When what moves begins to and ends, in seconds; nothing where all has stood still so far.
+  std::optional<std::pair<double, double>> times() const {
+    return moves_ ? std::optional(std::pair(first_, last_)) : std::nullopt;
+  }
   /// Adds an Attribute statement's parameters to the defaults of what it names.
   void add_defaults(const PbrtStatement& statement);
   const std::shared_ptr<const PbrtParameters>& defaults(PbrtTarget target) const {
@@ -65,9 +94,19 @@ class PbrtStates {
     PbrtPlace place;
   };
 
+  std::optional<PbrtSpace> camera_space() const;
+  /// Of the way from the beginning to the end, at the time that is shown.
+  double part() const;
+  void move(const PbrtMotion& motion);
+  template <typename Change>
+  void change(const Change& change);
+
+  std::optional<double> time_;
+  double first_ = 0, last_ = 1;  ///< TransformTimes.
+  bool moves_ = false;           ///< Whether something that was placed so far does.
   PbrtState now_;
   std::vector<Saved> saved_;
-  std::map<std::string, Transform> systems_;
+  std::map<std::string, PbrtSpace> systems_;
 };
 
 }  // namespace twinray

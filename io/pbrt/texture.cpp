@@ -166,14 +166,16 @@ constexpr std::array<Vec3, 3> own_axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 PbrtTextures::Mapping PbrtTextures::read_mapping(const PbrtTextureStatement& statement) {
   const PbrtParameters& parameters = statement.parameters;
   const auto mapping = word_of(parameters, "mapping", mappings);
-  const float u = parameters.real("uscale", 1), v = parameters.real("vscale", 1);
-  const float du = parameters.real("udelta", 0), dv = parameters.real("vdelta", 0);
-  const Vec3 v1 = parameters.point("v1", {1, 0, 0}), v2 = parameters.point("v2", {0, 1, 0});
-  if (mapping == PbrtMapping::uv) return {{{{u, 0, du}, {0, v, dv}}}, {}};
+  const auto shift = [&](const char* name) { return parameters.real(name, 0); };
+  if (mapping == PbrtMapping::uv)
+    return {{{{parameters.real("uscale", 1), 0, shift("udelta")},
+              {0, parameters.real("vscale", 1), shift("vdelta")}}},
+            {}};
   PlacedTexture place;
   if (mapping == PbrtMapping::planar) {
+    const Vec3 v1 = parameters.point("v1", own_axes[0]), v2 = parameters.point("v2", own_axes[1]);
     place.placement = TexturePlacement::planar;
-    place.to_texture = along_axes(statement, {v1, v2, own_axes[2]}, {du, dv, 0});
+    place.to_texture = along_axes(statement, {v1, v2, own_axes[2]}, {shift("udelta"), shift("vdelta"), 0});
   } else {
     place.placement =
         mapping == PbrtMapping::spherical ? TexturePlacement::spherical : TexturePlacement::cylindrical;
@@ -227,7 +229,8 @@ PbrtTextures::Named PbrtTextures::make(const PbrtTextureStatement& statement, Pi
     const Named inside = value(parameters, "inside", 1, channels),
                 outside = value(parameters, "outside", 0, channels);
     const Mapping mapping = read_mapping(statement);
-    return placed_parts(DotsTexture{inside.index, outside.index, mapping.uv}, mapping.by_points);
+    // As in pbrt's pictures, where the dots are what is called outside.
+    return placed_parts(DotsTexture{outside.index, inside.index, mapping.uv}, mapping.by_points);
   }
   if (texture_class == "bilerp") return corners(statement, channels);
   if (texture_class == "ptex") {
@@ -254,9 +257,9 @@ PbrtTextures::Named PbrtTextures::checkerboard(const PbrtTextureStatement& state
   const PbrtParameters& parameters = statement.parameters;
   const std::uint32_t first = value(parameters, "tex1", 1, channels).index,
                       second = value(parameters, "tex2", 0, channels).index;
-  const Mapping mapping = read_mapping(statement);
   if (parameters.integer("dimension", 2, {2, 3}) == 3)
     return placed_parts(CubesTexture{first, second}, space_of(statement));
+  const Mapping mapping = read_mapping(statement);
   return placed_parts(CheckerboardTexture{first, second, mapping.uv}, mapping.by_points);
 }
 

@@ -196,7 +196,7 @@ std::string PbrtTextureWriter::pattern_rest(const CubesTexture& cubes, PbrtTextu
 }
 
 std::string PbrtTextureWriter::pattern_rest(const DotsTexture& dots, PbrtTextureKind kind) {
-  return "\"dots\"" + part("inside", dots.first, kind) + part("outside", dots.second, kind) +
+  return "\"dots\"" + part("outside", dots.first, kind) + part("inside", dots.second, kind) +
          mapping(dots.uv);
 }
 

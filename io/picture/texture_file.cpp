@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "io/picture/known_pictures.h"
 #include "io/picture/texture_store.h"
 #include "io/picture/tiled_texture.h"
 
@@ -113,13 +114,7 @@ LoadedTexture stood_in(const StandIn& stand_in, const std::string& fault) {
   return {kept(picture_of(stand_in), nullptr), fmt::format("{}; {}", fault, stand_in.words), true};
 }
 
-LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const LoadOptions& options) {
-  TextureStore* const store = options.textures.get();
-  if (options.pictures) {
-    options.pictures->push_back(picture);
-    return {kept(picture_of(stand_in), nullptr), ""};
-  }
-  options.add_file(source_of(picture));
+LoadedTexture load_unknown(const PictureUse& picture, const StandIn& stand_in, TextureStore* store) {
   std::string warning;
   Image image;
   try {
@@ -132,6 +127,23 @@ LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const Loa
     return stood_in(stand_in, error.what());
   }
   return {kept(std::move(image), store), std::move(warning)};
+}
+
+/// What `read()` gives, unless the picture is known.
+template <typename Read>
+LoadedTexture known_or(const LoadOptions& options, const PictureUse& picture, bool is_normal_map,
+                       const Read& read) {
+  return options.known ? options.known->of(picture, is_normal_map, read) : read();
+}
+
+LoadedTexture load(const PictureUse& picture, const StandIn& stand_in, const LoadOptions& options) {
+  if (options.pictures) {
+    options.pictures->push_back(picture);
+    return {kept(picture_of(stand_in), nullptr), ""};
+  }
+  options.add_file(source_of(picture));
+  return known_or(options, picture, &stand_in == &flat,
+                  [&] { return load_unknown(picture, stand_in, options.textures.get()); });
 }
 
 /// Whether a file of tiles can be used as it is.
@@ -156,13 +168,15 @@ LoadedTexture load_normal_map(const std::string& path, const LoadOptions& option
 
 LoadedTexture decode_texture(std::string_view bytes, const std::string& name, const PictureMeaning& meaning,
                              const LoadOptions& options) {
-  TextureStore* const store = options.textures.get();
   if (options.pictures) return {kept(picture_of(magenta), nullptr), ""};
-  try {
-    return {kept(decode_image(bytes, name, options_of(meaning)), store), unread_parts(bytes, name)};
-  } catch (const Error& error) {
-    return missing_texture(error.what());
-  }
+  return known_or(options, {name, meaning}, false, [&]() -> LoadedTexture {
+    try {
+      return {kept(decode_image(bytes, name, options_of(meaning)), options.textures.get()),
+              unread_parts(bytes, name)};
+    } catch (const Error& error) {
+      return missing_texture(error.what());
+    }
+  });
 }
 
 LoadedTexture missing_texture(const std::string& fault) { return stood_in(magenta, fault); }

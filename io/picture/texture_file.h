@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <memory>
 #include <string>
 #include <string_view>
 
-#include "core/mip_map.h"
 #include "io/load_options.h"
 #include "io/picture/image_file.h"
+#include "io/picture/loaded_texture.h"
 
 namespace twinray {
-
-/// A picture for core/texture.h.
-struct LoadedTexture {
-  std::shared_ptr<const MipMap> image;  ///< Never null; one magenta pixel where the file cannot be used.
-  std::string warning;  ///< What is wrong with the file, and what is shown instead. Empty where nothing is.
-  bool is_stand_in = false;  ///< The file cannot be used at all.
-};
 
 /// Reads a picture of up to 2^26 pixels (with its mip-map, a gigabyte); a larger one is refused before memory
 /// is taken for it. Where convert_texture made a file of it that is not older, that one is taken; so is one

@@ -19,7 +19,7 @@ MUTANTS = [
            "test_integrators", "samples lie around their pixel as its filter has it"),
     Mutant("weights of samples are forgotten", "core/record.h",
            "color_[sample] * weight", "color_[sample]", "test_integrators", SIGN),
-    Mutant("pixels beside the scene stop, though their filter reaches it", "integrators/render.cpp",
+    Mutant("pixels beside the scene stop, though their filter reaches it", "integrators/sample_maker.cpp",
            "{radius.x + 0.5f, radius.y + 0.5f}", "{1, 1}", "test_integrators",
            "a pixel beside the scene goes on where its filter reaches the scene"),
     Mutant("what lies beside a fisheye's circle has light", "integrators/wave/camera_stage.h",

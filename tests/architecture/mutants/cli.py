@@ -16,7 +16,7 @@ MUTANTS = [
     Mutant("paths are made by the best instruction set, whatever is asked for", "cli/render_scene.cpp",
            "arguments.path, arguments.render.simd)", "arguments.path)",
            "test_cli", SETS),
-    Mutant("camera rays are made by the best instruction set", "integrators/render.cpp",
+    Mutant("camera rays are made by the best instruction set", "integrators/sample_maker.cpp",
            "options.simd)", '"best")',
            "test_cli", SETS),
     Mutant("both lamps are kept where there is one", "cli/no_effect.cpp",

@@ -393,7 +393,7 @@ MUTANTS = [
            "integrators/render.cpp", "half.film.merge(rest.film);", "half.film = rest.film;",
            "test_integrators", SPREAD_RESUMED),
     Mutant("a render that goes on spreads no samples", "integrators/render.cpp",
-           "!repeat_pilot(scene)", "false", "test_integrators", SPREAD_RESUMED),
+           "!repeat_pilot()", "false", "test_integrators", SPREAD_RESUMED),
     Mutant("a render with no more than the pilot makes it again", "integrators/render.cpp",
            "options_.allocation == Allocation::error && range_.end > SampleAllocation::pilot",
            "options_.allocation == Allocation::error", "test_integrators",

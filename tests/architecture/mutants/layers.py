@@ -45,7 +45,7 @@ MUTANTS = [
     Mutant("all layers get the values of the first", "core/film.cpp",
            "const auto column = records[layers()[layer]];", "const auto column = records[layers()[0]];",
            "test_core", "a film keeps of each layer what its samples say, and what its colours say"),
-    Mutant("the one light group has nothing", "integrators/render.cpp",
+    Mutant("the one light group has nothing", "integrators/sample_maker.cpp",
            "groups[i].front() = records.color()[i];", "groups[i].front() = {};",
            "test_integrators", "the one light group of a scene has all of the radiance, sample by sample"),
     Mutant("a rejected sample among others takes part in layers", "core/film.cpp",

@@ -40,8 +40,8 @@ MUTANTS = [
            "test_io", "LookAt and a perspective camera give pbrt's picture: left-handed, the shorter side "
            "has the fov"),
     Mutant("the film's speed does not count", "io/pbrt/scene.cpp",
-           "builder_.finish(camera_.exposure_seconds * film_.iso / 100)",
-           "builder_.finish(camera_.exposure_seconds)",
+           "builder_.finish(float(camera_.shutter.length()) * film_.iso / 100)",
+           "builder_.finish(float(camera_.shutter.length()))",
            "test_io", "the exposure of film and shutter multiplies all light"),
     Mutant("black bodies shine by the fourth power of the wavelength", "io/pbrt/spectrum.cpp",
            "return 1 / (x * x * x * x * x *", "return 1 / (x * x * x * x *",

@@ -121,7 +121,8 @@ TEST_CASE("gltf: at rest unless a time is given, and still before the first key 
   CHECK(corner_at(file, 99).x == 21);
   const auto summary = file.load().summary;
   REQUIRE(summary.animation);
-  CHECK(summary_lines(summary)[3] == "animation: 1 to 3 s, shown at rest; --time=T shows another moment");
+  CHECK(summary_lines(summary)[3] ==
+        "animation: 1 to 3 s, shown at rest; --time=T shows another moment, --time=T,END motion");
   CHECK(summary_lines(file.load({.time = 2}).summary)[3] == "animation: 1 to 3 s, shown at 2 s");
   CHECK_FALSE(gltf_triangle().load().summary.animation);
 }

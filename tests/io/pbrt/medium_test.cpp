@@ -67,7 +67,7 @@ TEST_CASE("interfaces stand behind all other shapes, so that they hide none in t
 TEST_CASE("a medium that says nothing has pbrt's numbers, and attributes end") {
   const LoadedScene loaded = load_pbrt_world(
       "Material \"dielectric\" AttributeBegin Attribute \"medium\" \"rgb sigma_s\" [ 0 0 0 ] "
-      "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" MediumInterface \"milk\" " +
+      "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" MediumInterface \"milk\" \"\" " +
       ball + "AttributeEnd " + ball);
   CHECK(loaded.warnings.empty());
   CHECK(material_of(loaded, 0).interior.absorption == Rgb{0.0011f, 0.0024f, 0.014f});
@@ -96,6 +96,17 @@ TEST_CASE("what has a medium outside alone is clear within, and what is turned a
   const Interior filled{{1, 2, 4}}, clear{.is_clear = true};
   const Interior expected[] = {filled, clear, clear, filled, clear};
   for (std::size_t i = 0; i < 5; ++i) CHECK(material_of(loaded, i).interior == expected[i]);
+}
+
+TEST_CASE("a shape with the same medium on both sides divides nothing, as in pbrt") {
+  for (const char* media : {"\"tea\" \"tea\" ", "\"tea\" "}) {
+    const LoadedScene loaded =
+        load_pbrt_world(tea + "Material \"dielectric\" MediumInterface " + media + ball +
+                        "ReverseOrientation " + ball + "MediumInterface \"tea\" \"\" " + ball);
+    CHECK_FALSE(has_interior(material_of(loaded, 0)));
+    CHECK_FALSE(has_interior(material_of(loaded, 1)));
+    CHECK(material_of(loaded, 2).interior.absorption == Rgb{1, 2, 4});
+  }
 }
 
 TEST_CASE("where no medium absorbs light, nothing is said to be clear") {

@@ -57,6 +57,22 @@ Rgb placed_at(const std::string& transform, const std::string& texture, const Te
 
 }  // namespace
 
+TEST_CASE("parameters that a mapping has not are unused") {
+  const auto unused = [](const std::string& parameters) {
+    std::string names;
+    for (const Diagnostic& warning : load_pbrt_world("Texture \"t\" \"float\" " + parameters).warnings)
+      names += warning.message.substr(0, warning.message.find(" is")) + " ";
+    return names;
+  };
+  const std::string all =
+      " \"float uscale\" 2 \"float vscale\" 2 \"float udelta\" 2 \"vector3 v1\" [ 1 0 0 ]";
+  CHECK(unused("\"dots\"" + all) == "\"vector3 v1\" ");
+  CHECK(unused("\"dots\" \"string mapping\" \"planar\"" + all) == "\"float uscale\" \"float vscale\" ");
+  CHECK(unused("\"dots\" \"string mapping\" \"cylindrical\"" + all) ==
+        "\"float uscale\" \"float vscale\" \"float udelta\" \"vector3 v1\" ");
+  CHECK(unused("\"checkerboard\" \"integer dimension\" 3 \"float uscale\" 2") == "\"float uscale\" ");
+}
+
 TEST_CASE("corners are mixed over the unit square, and dots lie on another texture") {
   const Shown square(
       "\"bilerp\" \"rgb v00\" [ .1 .1 .1 ] \"rgb v01\" [ .2 .2 .2 ] \"rgb v10\" [ .3 .3 .3 ] \"rgb v11\" [ "
@@ -69,13 +85,15 @@ TEST_CASE("corners are mixed over the unit square, and dots lie on another textu
   CHECK(square.mean().b == Approx(0.15));
   const Shown usual("\"bilerp\"");
   CHECK(usual.at({.uv = {0.3f, 0.75f}}).g == Approx(0.75));
-  const Shown dots("\"dots\" \"rgb inside\" [ .2 .3 .4 ] \"float uscale\" 3 \"float udelta\" .5");
+  const Shown dots(
+      "\"dots\" \"rgb outside\" [ .2 .3 .4 ] \"rgb inside\" [ .5 .6 .7 ] \"float uscale\" 3 \"float udelta\" "
+      ".5");
   for (int i = 0; i < 100; ++i) {
     const Vec2 uv{float(i % 10) * 0.31f, float(i / 10) * 0.57f};
-    const bool is_inside = is_in_dot({3 * uv.x + 0.5f, uv.y});
-    CHECK(dots.at({.uv = uv}) == (is_inside ? Rgb{0.2f, 0.3f, 0.4f} : Rgb{}));
+    const bool is_dot = is_in_dot({3 * uv.x + 0.5f, uv.y});  // pbrt's dots have what is called outside.
+    CHECK(dots.at({.uv = uv}) == (is_dot ? Rgb{0.2f, 0.3f, 0.4f} : Rgb{0.5f, 0.6f, 0.7f}));
   }
-  CHECK(Shown("\"dots\"").mean().r == Approx(25832.0 / 65536 * 3.14159265 * 0.35 * 0.35));
+  CHECK(Shown("\"dots\"").mean().r == Approx(1 - 25832.0 / 65536 * 3.14159265 * 0.35 * 0.35));
 }
 
 TEST_CASE("a mix by direction turns with its transform, and goes by the normal of the geometry") {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <limits>
 
+#include "io/picture/known_pictures.h"
 #include "tests/support/catch.h"
 #include "tests/support/temporary_folder.h"
 
@@ -42,6 +43,29 @@ TEST_CASE("a texture's colours are decoded from sRGB, its data are kept as they 
   CHECK(color.image->levels() == 2);
   // The mean of colours is that of light, not of bytes.
   CHECK(color.image->level(1).at(0, 0).b == Approx((1 + 0.215860501) / 2));
+}
+
+TEST_CASE("known pictures are read once for each use of them") {
+  const TemporaryFolder folder;
+  write_png(folder.file("a.png"), ByteImage{1, 1, {128, 128, 128}});
+  const LoadOptions options{.known = std::make_shared<KnownPictures>()};
+  const auto read = [&](PictureRole role) {
+    return load_texture(folder.file("a.png"), {role}, options).image;
+  };
+  const auto color = read(PictureRole::color), data = read(PictureRole::data);
+  CHECK(read(PictureRole::color) == color);
+  CHECK(read(PictureRole::data) == data);
+  CHECK(color != data);
+  CHECK(load_texture(folder.file("a.png"), {PictureRole::color}).image != color);
+  const std::string missing = folder.file("b.png");
+  const Rgb seen = load_texture(missing, {PictureRole::data}, options).image->level(0).at(0, 0);
+  const Rgb normal = load_normal_map(missing, options).image->level(0).at(0, 0);
+  CHECK(seen == magenta);
+  CHECK(normal == Rgb{0.5f, 0.5f, 1});
+  const std::string png = rgba_png();
+  const auto decoded = decode_texture(png, "image 1", {}, options).image;
+  CHECK(decode_texture(png, "image 1", {}, options).image == decoded);
+  CHECK(decode_texture(png, "image 2", {}, options).image != decoded);
 }
 
 TEST_CASE("an EXR texture is linear in both roles, and what is not finite is black and named") {

@@ -26,7 +26,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text.replace(at, old.size(), anew);
 }
 
-std::string error_of(const std::string& bytes) {
+std::string ply_error(const std::string& bytes) {
   try {
     read_ply(bytes, "a.ply");
   } catch (const Error& error) {
@@ -117,33 +117,33 @@ TEST_CASE("a concave face of four corners is cut within, whichever corner comes 
 }
 
 TEST_CASE("what is wrong with a PLY file is named, with its place") {
-  CHECK(error_of("plx") == "a.ply:1:1: not a PLY file: its first line must be \"ply\"\n  plx\n  ^");
-  CHECK(error_of("ply\nformat ascii 1.0\n") ==
+  CHECK(ply_error("plx") == "a.ply:1:1: not a PLY file: its first line must be \"ply\"\n  plx\n  ^");
+  CHECK(ply_error("ply\nformat ascii 1.0\n") ==
         "a.ply:3:1: the header does not end: \"end_header\" is missing\n  \n  ^");
-  CHECK(error_of(replaced(square, "ascii", "text"))
+  CHECK(ply_error(replaced(square, "ascii", "text"))
             .starts_with("a.ply:2:8: there is no format \"text\"; valid are ascii"));
-  CHECK(error_of(replaced(square, "float x", "flot x"))
+  CHECK(ply_error(replaced(square, "float x", "flot x"))
             .starts_with("a.ply:5:10: \"flot\" is not a type of numbers"));
-  CHECK(error_of(replaced(square, "vertex 4", "vertex -4"))
+  CHECK(ply_error(replaced(square, "vertex 4", "vertex -4"))
             .starts_with("a.ply:4:16: \"-4\" is not the number of an element"));
-  CHECK(error_of(replaced(square, "4 0 1 2 3", "4 0 1 2 4"))
+  CHECK(ply_error(replaced(square, "4 0 1 2 3", "4 0 1 2 4"))
             .starts_with("a.ply:19:9: the index 4 is out of range; valid are whole numbers from 0 to 3"));
-  CHECK(error_of(replaced(square, "1 0 0 255", "1 nan 0 255"))
+  CHECK(ply_error(replaced(square, "1 0 0 255", "1 nan 0 255"))
             .starts_with("a.ply:16:15: the position of vertex 1 is not finite"));
   for (const char* word : {"1 1e999 0 255", "1 -1e39 0 255"})
-    CHECK_THAT(error_of(replaced(square, "1 0 0 255", word)),
+    CHECK_THAT(ply_error(replaced(square, "1 0 0 255", word)),
                Catch::Contains(": the position of vertex 1 is not finite"));
   CHECK(
-      error_of(replaced(square, "1 0 0 255", "1 x 0 255")).starts_with("a.ply:16:3: \"x\" is not a number"));
-  CHECK(error_of(replaced(square, "vertex 4", "vertex 400000000")) ==
+      ply_error(replaced(square, "1 0 0 255", "1 x 0 255")).starts_with("a.ply:16:3: \"x\" is not a number"));
+  CHECK(ply_error(replaced(square, "vertex 4", "vertex 400000000")) ==
         "a.ply: the header promises 400000000 elements \"vertex\", and the file is too short for them");
-  CHECK(error_of(replaced(square, "float y", "float why")) ==
+  CHECK(ply_error(replaced(square, "float y", "float why")) ==
         "a.ply: the vertices need the properties x, y and z");
-  CHECK(error_of(replaced(square, "element face 1", "element fase 1")) ==
+  CHECK(ply_error(replaced(square, "element face 1", "element fase 1")) ==
         "a.ply: the PLY file has no element \"face\", so it holds points alone");
-  CHECK(error_of(replaced(square, "element face 1", "element tristrips 1")) ==
+  CHECK(ply_error(replaced(square, "element face 1", "element tristrips 1")) ==
         "a.ply: the PLY file has no element \"face\"; strips of triangles (\"tristrips\") are not read");
-  CHECK(error_of(binary(false).substr(0, binary(false).size() - 1)) ==
+  CHECK(ply_error(binary(false).substr(0, binary(false).size() - 1)) ==
         "a.ply: the file ends too early, after 210 bytes");
 }
 

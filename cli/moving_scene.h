@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene of a picture that shows motion (docs/motion.md).
+#pragma once
+#include <memory>
+#include <optional>
+
+#include "cli/render_arguments.h"
+#include "integrators/motion.h"
+#include "io/loaded_scene.h"
+
+namespace twinray {
+
+/// The scene at one moment after the other: only the last one is in memory.
+class MovingScene {
+ public:
+  /// `first` is what load_for_render has made of the arguments, which have a shutter. It must outlive this.
+  MovingScene(const RenderArguments& arguments, const LoadedScene& first);
+
+  /// The options of a render of it, which it must outlive.
+  Motion motion();
+  /// At a part of the time that the shutter is open. The answer holds until the next one. Throws Error.
+  TracedScene at(double part);
+  /// As a render has it for a sample.
+  TracedScene of_sample(std::uint32_t sample);
+
+ private:
+  RenderArguments arguments_;
+  const LoadedScene& first_;
+  std::optional<LoadedScene> loaded_;
+  std::unique_ptr<const Accelerator> accelerator_;
+  std::unique_ptr<const Integrator> integrator_;
+};
+
+}  // namespace twinray

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/shutter.h"
+
+#include <fmt/format.h>
+
+#include "cli/console.h"
+
+namespace twinray {
+namespace {
+
+/// An option that needs a scene that stands still; null: there is none.
+const char* still_option(const RenderArguments& arguments) {
+  if (arguments.render.adaptive) return "--adaptive";
+  return arguments.check_with ? "--accel=check" : nullptr;
+}
+
+}  // namespace
+
+void check_shutter(const RenderArguments& arguments) {
+  if (const char* const option = still_option(arguments); option && arguments.shutter)
+    throw UsageError(
+        fmt::format("--time: {} needs a scene that stands still, at one moment in place of two", option));
+}
+
+std::optional<Shutter> shutter_of(const RenderArguments& arguments, const LoadedScene& loaded) {
+  if (!loaded.summary.animation) return {};
+  if (arguments.load.time) return arguments.shutter;
+  const char* const option = still_option(arguments);
+  if (!option || !loaded.defaults.shutter) return loaded.defaults.shutter;
+  console::warn(fmt::format("{}: nothing moves, as if the shutter were not open; --time=T says so", option));
+  return {};
+}
+
+}  // namespace twinray
