@@ -116,9 +116,8 @@ void add_camera_options(CLI::App& app, RenderRequest& request) {
   group.add_word({"-c,--camera", "FILE", "Camera settings file of CS184's program"}, arguments.camera_file);
   group.add_word({"--camera-name", "NAME", "A camera of the scene file, by name or id; ? lists them"},
                  arguments.load.camera_name);
-  group.add_words(
-      {"--time", "T[,END[:N]]", "When what moves is seen, in seconds; N samples a moment (at rest)"}, 1,
-      [&arguments](const Words& words) { parse_time(words[0], arguments); });
+  group.add_words({"--time", "T[,END[:N]]", "When what moves is seen; N samples of each moment (at rest)"}, 1,
+                  [&arguments](const Words& words) { parse_time(words[0], arguments); });
   group.add_words({"--projection", "TYPE[:N]", "perspective:FOV orthographic fisheye latitude-longitude ..."},
                   1, [&changes](const Words& words) { changes.projection = parse_projection(words[0]); });
   group.add_words({"--lens", "RADIUS,DISTANCE", "Depth of field: a lens, and how far away is in focus"}, 1,

@@ -13,6 +13,19 @@ TRIANGLE = "a triangle's tangents lead from corner to corner as its texture coor
 BALL = "a sphere's tangents are the derivatives of its octahedral coordinates"
 
 MUTANTS = [
+    Mutant("mirrors show what is below them", "integrators/shading_frame.cpp",
+           "if (!(cosine < least)) return normal;", "if (!(cosine < -2)) return normal;", "test_integrators",
+           "a white metal ball of few triangles with a sphere's normals is as bright as its sky"),
+    Mutant("a normal is bent where it need not be", "integrators/shading_frame.cpp",
+           "0.01f);", "0.05f);", "test_integrators",
+           "a mirror's normal reflects to above the true surface, and is as it was where it does"),
+    Mutant("normals of what has no mirror are bent", "integrators/shading_frame.cpp",
+           "!std::holds_alternative<RoughDiffuse>(material.model) &&", "true &&", "test_integrators",
+           "what has no mirror in it shades by its own normal"),
+    Mutant("a bent normal is the true surface's", "integrators/shading_frame.cpp",
+           "return normalize(wo + normalize(reflected + facing_normal * (least - cosine)));",
+           "return facing_normal;", "test_integrators",
+           "a mirror's normal reflects to above the true surface, and is as it was where it does"),
     Mutant("green of a normal map points down", "core/shading_map.cpp",
            "2 * color.g - 1,", "1 - 2 * color.g,", "test_integrators", CHANNELS),
     Mutant("bumps are dents", "core/shading_map.cpp",
