@@ -85,13 +85,13 @@ TEST_CASE("over many seeds a moment is at any time of the shutter as likely") {
 
 TEST_CASE("each moment's samples are those that its still scene has") {
   SlidingRoom room;
-  const RenderResult moving = render_moving(room, motion_options(10), 4);
+  const RenderResult moving = render_moving(room, motion_options(8), 3);
   REQUIRE(room.parts == std::vector{shutter_part(0, 3), shutter_part(1, 3), shutter_part(2, 3)});
   std::optional<Film> sum;
-  for (const SampleRange range : {SampleRange{0, 4}, SampleRange{4, 8}, SampleRange{8, 10}}) {
+  for (const SampleRange range : {SampleRange{0, 3}, SampleRange{3, 6}, SampleRange{6, 8}}) {
     SlidingRoom alone;
-    const TracedScene still = alone.at(shutter_part(range.begin / 4, 3));
-    RenderOptions options = motion_options(10);
+    const TracedScene still = alone.at(shutter_part(range.begin / 3, 3));
+    RenderOptions options = motion_options(8);
     options.range = range;
     const RenderResult part = render(still.scene, still.accelerator, still.integrator, options);
     sum ? sum->merge(part.film) : (void)sum.emplace(part.film);
