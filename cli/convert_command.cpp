@@ -55,7 +55,7 @@ LoadedScene load(const ConvertArguments& arguments, const LoadOptions& options) 
   if (arguments.load.time && !loaded.summary.animation)
     console::warn("--time: no effect, for nothing in the scene moves");
   if (loaded.defaults.shutter && !arguments.load.time)
-    console::warn("motion is not written: all stands where it begins; --time=T is another moment");
+    console::warn("motion is not written: all stands as when the shutter opens; --time=T is another moment");
   RenderDefaults& picture = loaded.defaults;
   if (arguments.resolution) picture.crop = picture.crop_of(*arguments.resolution);
   if (arguments.resolution || !picture.resolution)

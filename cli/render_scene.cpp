@@ -123,8 +123,11 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   LoadedScene loaded = load_with_warnings(arguments.scene, arguments.load);
   take_defaults(loaded.defaults, arguments);
   arguments.shutter = shutter_of(arguments, loaded);
-  if (arguments.shutter) loaded.summary.animation->shutter = arguments.shutter;
+  if (loaded.summary.animation) loaded.summary.animation->shutter = arguments.shutter;
   talk.loaded(loaded.summary);
+  if (arguments.shutter && arguments.render.samples <= arguments.samples_per_moment)
+    talk.note(
+        "all samples of a pixel see the same moment; --time=T,END:N has more moments with fewer samples N");
   loaded.scene.camera = camera_of(arguments, loaded.scene, talk);
   if (arguments.texture_filter) set_filter(loaded.scene.textures, *arguments.texture_filter);
   if (!arguments.environment.empty())
@@ -144,6 +147,7 @@ LoadedScene load_for_moment(const RenderArguments& arguments, const LoadedScene&
   LoadOptions options = arguments.load;
   options.time = time;
   options.strict = false;  // The first one has been strict.
+  options.files = nullptr;
   LoadedScene loaded = load_scene(arguments.scene, options);
   RenderTalk silence;
   loaded.scene.camera =

@@ -81,13 +81,15 @@ std::vector<MemoryNeed> memory_needs(const RenderOptions& options, const Scene& 
 
 std::vector<MemoryNeed> memory_needs(const RenderArguments& arguments, const Scene& scene) {
   std::vector<MemoryNeed> needs = memory_needs(arguments.render, scene);
+  const std::size_t others = needs.size();
   // Instances are built into a tree as primitives are.
   const std::size_t primitives = scene.geometry->primitive_count() + scene.geometry->instances().size();
   const auto add_tree = [&](Backend backend, const BuildOptions& build) {
     for (MemoryNeed& need : memory_needs(backend, build, primitives)) needs.push_back(std::move(need));
   };
   add_tree(arguments.backend, arguments.build);
-  if (arguments.shutter) add_tree(arguments.backend, arguments.build);  // Of the moment that is shown.
+  if (arguments.shutter && needs.size() > others)  // That of the moment, beside that at rest.
+    needs.push_back({"the same at another moment", needs.back().bytes, {}});
   if (arguments.check_with) add_tree(arguments.check_with->backend, arguments.check_with->build);
   return needs;
 }

@@ -11,6 +11,7 @@ namespace {
 /// An option that needs a scene that stands still; null: there is none.
 const char* still_option(const RenderArguments& arguments) {
   if (arguments.render.adaptive) return "--adaptive";
+  if (arguments.render.allocation == Allocation::error) return "--allocation=error";
   return arguments.check_with ? "--accel=check" : nullptr;
 }
 
@@ -27,7 +28,8 @@ std::optional<Shutter> shutter_of(const RenderArguments& arguments, const Loaded
   if (arguments.load.time) return arguments.shutter;
   const char* const option = still_option(arguments);
   if (!option || !loaded.defaults.shutter) return loaded.defaults.shutter;
-  console::warn(fmt::format("{}: nothing moves, as if the shutter were not open; --time=T says so", option));
+  console::warn(
+      fmt::format("{}: nothing moves, all stands as when the shutter opens; --time=T says so", option));
   return {};
 }
 

@@ -69,7 +69,6 @@ class Renderer {
     while (!is_over && !is_stopped()) {
       const std::uint64_t rays = state_.rays.total();
       const std::uint32_t begin = state_.samples, end = end_in_time(begin, end_of_pass(begin));
-      if (options_.motion && end > begin) stand_at(options_.motion->moment_of(begin));
       if (end > begin && !render_pass(begin, end)) break;
       allocate(end);
       // Where time is to decide, a pass may find that all pixels have converged.
@@ -131,7 +130,6 @@ class Renderer {
                         .height = options_.height,
                         .window = options_.window,
                         .samples = options_.samples,
-                        .motion = options_.motion,
                         .filter = options_.filter,
                         .sampler = options_.sampler,
                         .seed = options_.seed,
@@ -175,7 +173,8 @@ class Renderer {
 
   /// Whether the picture of so many samples is as good as it is to be.
   bool reaches_target(std::uint32_t samples) {
-    if (!options_.noise_target || samples < least_samples_of_target) return false;
+    const std::uint32_t alike = options_.motion ? options_.motion->samples_per_moment : 1;
+    if (!options_.noise_target || samples / alike < least_samples_of_target) return false;
     if (options_.estimated_error && samples < state_.next_estimate) return false;
     state_.next_estimate = samples + samples / 4;
     const double error = options_.estimated_error ? options_.estimated_error(*state_.halves)
@@ -217,6 +216,7 @@ class Renderer {
   /// False where it is stopped before its end.
   bool render_pass(std::uint32_t begin, std::uint32_t end) {
     const double start = seconds();
+    if (options_.motion) stand_at(options_.motion->moment_of(begin));
     progress_.samples_done = pixel_count() * (begin - range_.begin);
     std::atomic<std::size_t> next = 0, done = 0;
     render_tiles(begin, end, next, done);

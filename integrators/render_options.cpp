@@ -52,6 +52,10 @@ void check(const RenderOptions& options) {
     throw Error("no samples of a moment; there must be 1 at least");
   if (options.motion && options.adaptive)
     throw Error("adaptive sampling stops where nothing has been seen yet: not where something moves");
+  if (options.motion && options.allocation == Allocation::error)
+    throw Error(
+        "samples are spread by what a pixel has seen, and all pixels see the same moments: not where "
+        "something moves");
   if (options.half_light_groups && !(options.half_layers && options.light_groups))
     throw Error("halves by light groups need halves, and a film by light groups");
   if (!options.adaptive) return;

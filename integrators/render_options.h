@@ -24,7 +24,8 @@ namespace twinray {
 
 struct RenderState;
 
-/// With fewer samples a pixel no render ends by a noise target: chance may make any picture look clean.
+/// With fewer samples a pixel no render ends by a noise target, nor with fewer moments where something moves:
+/// chance may make any picture look clean.
 inline constexpr std::uint32_t least_samples_of_target = 16;
 
 /// Samples [begin, end) of each pixel.
@@ -51,8 +52,8 @@ struct RenderOptions {
   /// If set, sampling ends with the last pass over all pixels that is likely to be over by then, wall-clock
   /// time, or with the first one; the picture is that of as many samples.
   std::optional<double> seconds;
-  /// Of a scene in which something moves. Not where sampling is adaptive: what has not come yet would look
-  /// converged.
+  /// Of a scene in which something moves. Not where sampling is adaptive, since what has not come yet would
+  /// look converged; nor where samples are spread by error, since neighbours see the same moments.
   std::optional<Motion> motion;
   std::vector<Layer> layers;  ///< Of the film besides its colours, in this order, each once.
   bool light_paths = false;   ///< Divide the light by the paths that it took,

@@ -140,12 +140,10 @@ Camera placed_panorama(const Camera& axes, Projection projection) {
 
 }  // namespace
 
-PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters,
-                       const std::optional<Transform>& to_world, PbrtContext& context) {
+PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, PbrtContext& context) {
   PbrtCamera camera;
   camera.is_given = true;
   camera.projection = projection_of(type, parameters);
-  camera.to_world = to_world;
   camera.place = parameters.place();
   if (camera.projection == Projection::perspective)
     camera.fov_degrees = parameters.real("fov", 90, {1e-3, 179.9});

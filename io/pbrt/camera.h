@@ -31,8 +31,8 @@ struct PbrtFilm {
   float iso = 100;
 };
 
-PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters,
-                       const std::optional<Transform>& to_world, PbrtContext& context);
+/// But for its place.
+PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, PbrtContext& context);
 PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, PbrtContext& context);
 /// Sets the samples per pixel.
 void read_sampler(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,

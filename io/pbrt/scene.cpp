@@ -55,7 +55,8 @@ class Reader {
     if (camera_.is_given) loaded.summary.camera = projection_name(camera_.projection);
     if (camera_.is_given) loaded.summary.cameras.push_back(projection_name(camera_.projection));
     if (const auto times = states_.times()) {
-      loaded.summary.animation = AnimationSummary{times->first, times->second, context_.options.time};
+      loaded.summary.animation = AnimationSummary{times->first, times->second, context_.options.time, {}};
+      if (!context_.options.time) loaded.summary.animation->shutter = camera_.shutter;
       loaded.defaults.shutter = camera_.shutter;
     }
     return loaded;
@@ -128,7 +129,9 @@ class Reader {
         if (may_absorb(states_.now().medium_outside))
           statement.place.warn(context_.warnings,
                                "the camera is within the media of the shapes around it alone");
-        camera_ = read_camera(statement.words[0], parameters, states_.camera_transform(), context_);
+        camera_ = read_camera(statement.words[0], parameters, context_);
+        states_.open_shutter(camera_.shutter.open);
+        camera_.to_world = states_.camera_transform();
         states_.name_camera();
         return true;
       case film: {

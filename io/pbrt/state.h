@@ -48,13 +48,15 @@ class PbrtStates {
   PbrtState& now() { return now_; }
   const PbrtState& now() const { return now_; }
 
-  /// At a time, or at the beginning.
+  /// At a time or, as long as no shutter opens, at the beginning.
   explicit PbrtStates(std::optional<double> time) : time_(time) {}
 
   /// Changes the transform as a statement says, and returns whether the statement is one that does. Throws
   /// Error where it means no transform.
   bool take_transform(const PbrtStatement& statement, WarningList& warnings);
   const Transform& present() const { return now_.space.transform; }
+  /// What follows is at this time, if no other one was asked for.
+  void open_shutter(double time) { time_ = time_.value_or(time); }
   /// Something stands there.
   void place() { moves_ = moves_ || now_.space.motion; }
   /// From camera to world space, of a camera whose transform from world to camera space is the present one:

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/moving_scene.h"
 #include "cli/render_command_line.h"
 #include "cli/render_scene.h"
 #include "cli/render_talk.h"
@@ -131,9 +132,10 @@ TEST_CASE("a file's own shutter is told, and gives way to a time") {
   CHECK(contains(said_by("render " + moving_wheel + " --time=0.5" + rest),
                  "animation: 0 to 0.5 s, shown at 0.5 s\n"));
   CHECK(contains(said_by("info " + moving_wheel),
-                 "animation: 0 to 0.5 s, shown at rest; --time=T shows another moment, --time=T,END motion"));
-  CHECK(contains(said_by("convert " + moving_wheel + " " + in(folder, "a.json")),
-                 "warning: motion is not written: all stands where it begins; --time=T is another moment"));
+                 "animation: 0 to 0.5 s, the shutter is open from 0 to 0.5 s\n"));
+  CHECK(contains(
+      said_by("convert " + moving_wheel + " " + in(folder, "a.json")),
+      "warning: motion is not written: all stands as when the shutter opens; --time=T is another moment"));
 }
 
 TEST_CASE("a camera that is not the file's stays while the scene moves") {
@@ -150,6 +152,23 @@ TEST_CASE("a camera that is not the file's stays while the scene moves") {
   const auto [usual, first_usual] =
       camera_then_and_first({TWINRAY_SOURCE_DIR "/tests/fuzz/seeds/gltf/moving.glb"}, 1);
   CHECK(usual == first_usual);
+}
+
+TEST_CASE("a scene whose file changes while it is rendered is an error, with its time") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.pbrt");
+  const std::string moving = "WorldBegin ActiveTransform EndTime Translate 9 0 0 Shape \"sphere\"";
+  write_text(path, moving);
+  RenderArguments arguments = motion_arguments({path, "--time=1,2", "--accel=bvh"});
+  arguments.load.files = std::make_shared<std::vector<std::string>>();
+  RenderTalk silence;
+  const LoadedScene first = load_for_render(arguments, silence);
+  MovingScene scene(arguments, first);
+  CHECK(error_text([&] { scene.at(0.25); }).empty());
+  CHECK(scene.at(0).scene.geometry->sphere_count() == 1);
+  write_text(path, moving + " Shape \"sphere\"");
+  CHECK(error_text([&] { scene.at(0.25); }) ==
+        "at 1.25 s: " + path + ": it was changed after the render had begun");
 }
 
 TEST_CASE("the light of an option is that of every moment, and so are groups of lights") {
@@ -183,10 +202,12 @@ TEST_CASE("what needs a still scene says so of motion") {
   };
   CHECK(contains(said("--time=0,0.5 --adaptive 2 0.1", 2),
                  "--time: --adaptive needs a scene that stands still"));
+  CHECK(contains(said("--time=0,0.5 --allocation=error", 2),
+                 "--time: --allocation=error needs a scene that stands still"));
   CHECK(contains(said("--time=0,0.5 --accel=check", 2),
                  "--time: --accel=check needs a scene that stands still"));
   CHECK(said("--adaptive 2 0.1", 0) ==
-        "warning: --adaptive: nothing moves, as if the shutter were not open; --time=T says so\n");
+        "warning: --adaptive: nothing moves, all stands as when the shutter opens; --time=T says so\n");
   CHECK(said("--time=0 --adaptive 2 0.1", 0).empty());
   CHECK(said_by("render " + quoted(TWINRAY_SOURCE_DIR "/scenes/box.dae") + " --time=0,1" + rest) ==
         "warning: --time: no effect, for nothing in the scene moves\n");

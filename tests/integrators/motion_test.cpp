@@ -109,25 +109,23 @@ TEST_CASE("a picture of motion that goes on has the bits of one that was made at
   CHECK(bytes_of(result.film) == bytes_of(expected.film));
 }
 
-TEST_CASE("samples are spread by error over a picture of motion, and those of the pilot are made again") {
-  SlidingRoom room, again;
-  RenderOptions spread = motion_options(24);
-  spread.allocation = Allocation::error;
-  const RenderResult expected = render_moving(room, spread, 4);
-  std::optional<RenderState> kept;
-  int passes = 0;
-  RenderOptions stopped = spread;
-  stopped.pass_done = [&](const Film&) { ++passes; };
-  stopped.is_stopped = [&] { return passes >= 6; };
-  const RenderResult begun = render_moving(again, stopped, 4);
-  REQUIRE(!begun.is_complete);
-  RenderOptions rest = spread;
-  rest.restore = [&](RenderState& state) { state = begun; };
-  CHECK(bytes_of(render_moving(again, rest, 4).film) == bytes_of(expected.film));
+TEST_CASE("no noise target is reached by the samples of few moments") {
+  SlidingRoom room;
+  RenderOptions options = motion_options(64);
+  options.half_layers.emplace();
+  options.noise_target = 1000;
+  CHECK(render_moving(room, options, 4).samples == 64);
+  CHECK(room.parts.size() == 16);
+  options.samples = 100;
+  CHECK(render_moving(room, options, 4).samples == 64);
+  CHECK(render_moving(room, options, 1).samples == 16);
 }
 
-TEST_CASE("motion does not go with adaptive sampling, and a moment has a sample at least") {
+TEST_CASE("motion goes with as many samples of each pixel, and a moment has a sample at least") {
   SlidingRoom room;
+  RenderOptions spread = motion_options(24);
+  spread.allocation = Allocation::error;
+  CHECK(error_text([&] { render_moving(room, spread, 4); }).find("samples are spread by what") == 0);
   RenderOptions adaptive = motion_options(8);
   adaptive.adaptive.emplace();
   CHECK(error_text([&] { render_moving(room, adaptive, 4); }).find("adaptive sampling stops") == 0);

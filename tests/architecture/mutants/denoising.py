@@ -22,7 +22,7 @@ MUTANTS = [
            "test_integrators",
            "the halves of independent noise tell its size, in whatever shares they have the samples"),
     Mutant("a render ends at its target after the first sample", "integrators/render.cpp",
-           "!options_.noise_target || samples < least_samples_of_target", "!options_.noise_target",
+           "!options_.noise_target || samples / alike < least_samples_of_target", "!options_.noise_target",
            "test_integrators", "a render with a noise target ends after the first pass that reaches it"),
     Mutant("the noisy picture is not among the filters", "integrators/denoise/blend.cpp",
            "for (int second = 0; first + second <= steps; ++second)",

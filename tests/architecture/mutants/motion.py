@@ -6,8 +6,8 @@ TIMES = "of any aligned block of moments one lies in each part of the shutter's 
 SEEDS = "over many seeds a moment is at any time of the shutter as likely"
 STILL = "each moment's samples are those that its still scene has"
 GOES_ON = "a picture of motion that goes on has the bits of one that was made at once"
-SPREAD = "samples are spread by error over a picture of motion, and those of the pilot are made again"
-REFUSED = "motion does not go with adaptive sampling, and a moment has a sample at least"
+TARGET = "no noise target is reached by the samples of few moments"
+REFUSED = "motion goes with as many samples of each pixel, and a moment has a sample at least"
 TURNS = "a rotation's quaternion is the rotation again, through every angle and about every axis"
 SHORTER = "between two rotations the shorter way is taken evenly"
 BETWEEN = "transforms are stretched, turned and moved evenly from one to the other"
@@ -24,6 +24,8 @@ REPLAYED = "each sample is replayed at its own moment"
 OWN = "a file's own shutter is told, and gives way to a time"
 NEEDS = "what needs a still scene says so of motion"
 WORDS = "a time is one moment, or two and samples of each, and nothing else"
+OPENS = "without a time pbrt's scene is that of the moment at which the shutter opens"
+CHANGED = "a scene whose file changes while it is rendered is an error, with its time"
 KNOWN = "known pictures are read once for each use of them"
 CAMERAS = "a camera that is not the file's stays while the scene moves"
 
@@ -41,8 +43,11 @@ MUTANTS = [
            "stand_at(options_.motion->moment_of(begin))",
            "stand_at(options_.motion->moment_of(begin - first))",
            "test_integrators", GOES_ON),
-    Mutant("the pilot is made again of what stands still", "integrators/render.cpp",
-           ".motion = options_.motion,", ".motion = {},", "test_integrators", SPREAD),
+    Mutant("a noise target counts samples of the same moment", "integrators/render.cpp",
+           "samples / alike < least_samples_of_target", "samples < least_samples_of_target",
+           "test_integrators", TARGET),
+    Mutant("what moves has its samples spread", "integrators/render_options.cpp",
+           "options.motion && options.allocation == Allocation::error", "false", "test_integrators", REFUSED),
     Mutant("what moves is sampled adaptively", "integrators/render_options.cpp",
            "options.motion && options.adaptive", "false && options.adaptive", "test_integrators", REFUSED),
     Mutant("a quaternion's signs are those of the transpose", "core/quaternion.cpp",
@@ -82,6 +87,11 @@ MUTANTS = [
            "interpolated(*start, *end, part())",
            "interpolated(space.motion->start, space.motion->end, part()).inverse()",
            "test_io", CAMERA),
+    Mutant("pbrt's scene without a time is that of the beginning", "io/pbrt/scene.cpp",
+           "states_.open_shutter(camera_.shutter.open);", "states_.open_shutter(0 * camera_.shutter.open);",
+           "test_io", OPENS),
+    Mutant("a scene may change while it is rendered", "cli/moving_scene.cpp",
+           "if (state_of(file.path) != file)", "if (false)", "test_cli", CHANGED),
     Mutant("pbrt's shutter may close before it opens", "io/pbrt/camera.cpp",
            "if (!(open < close))", "if (open == close)", "test_io", CLOSED),
     Mutant("a picture of motion is verified by a still one", "cli/verify/tile_check.cpp",
