@@ -81,7 +81,7 @@ struct RenderArguments {
   /// When what moves is seen, in place of one moment; of a scene that is read, as the file has it where no
   /// time is asked for.
   std::optional<Shutter> shutter;
-  std::uint32_t samples_per_moment = Motion{}.samples_per_moment;  ///< While the shutter is open.
+  std::uint32_t samples_per_moment = 0;  ///< While the shutter is open; 0: the scene decides (cli/shutter.h).
   DefaultLight default_light = DefaultLight::none;
   Backend backend = Backend::bvh;
   BuildOptions build;

@@ -124,6 +124,8 @@ LoadedScene load_for_render(RenderArguments& arguments, RenderTalk& talk) {
   take_defaults(loaded.defaults, arguments);
   arguments.shutter = shutter_of(arguments, loaded);
   if (loaded.summary.animation) loaded.summary.animation->shutter = arguments.shutter;
+  if (arguments.samples_per_moment == 0)
+    arguments.samples_per_moment = usual_samples_per_moment(*loaded.scene.geometry);
   talk.loaded(loaded.summary);
   if (arguments.shutter && arguments.render.samples <= arguments.samples_per_moment)
     talk.note(

@@ -33,4 +33,9 @@ std::optional<Shutter> shutter_of(const RenderArguments& arguments, const Loaded
   return {};
 }
 
+std::uint32_t usual_samples_per_moment(const Geometry& geometry) {
+  constexpr std::size_t few_primitives = 20'000;
+  return geometry.primitive_count() + geometry.instances().size() <= few_primitives ? 1 : 4;
+}
+
 }  // namespace twinray

@@ -2,8 +2,8 @@
 #include "core/quaternion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/elementary.h"

@@ -93,6 +93,7 @@ void parse_time(const std::string& word, RenderArguments& arguments) {
   const auto [begin, end] = halves(times, ',');
   arguments.load.time = parse_number("--time", begin, moments);
   arguments.shutter.reset();
+  arguments.samples_per_moment = 0;
   if (times.size() == begin.size() && times.size() < word.size())
     throw UsageError(
         fmt::format("--time: {} is one moment; END is missing before the samples of each", begin));

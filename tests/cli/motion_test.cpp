@@ -171,6 +171,25 @@ TEST_CASE("a scene whose file changes while it is rendered is an error, with its
         "at 1.25 s: " + path + ": it was changed after the render had begun");
 }
 
+TEST_CASE("each sample sees its own moment, but where reading and building a scene takes long") {
+  RenderTalk silence;
+  RenderArguments few = motion_arguments({TWINRAY_SOURCE_DIR "/scenes/motion.pbrt"});
+  load_for_render(few, silence);
+  CHECK(few.samples_per_moment == 1);
+  const TemporaryFolder folder;
+  const std::string path = folder.file("many.pbrt");
+  write_text(path,
+             "WorldBegin ActiveTransform EndTime Translate 9 0 0 ActiveTransform All Shape \"loopsubdiv\" "
+             "\"integer levels\" 7 \"point3 P\" [ 1 1 1  1 -1 -1  -1 1 -1  -1 -1 1 ] "
+             "\"integer indices\" [ 0 1 2  0 3 1  0 2 3  1 3 2 ]");
+  RenderArguments many = motion_arguments({path});
+  load_for_render(many, silence);
+  CHECK(many.samples_per_moment == 4);
+  RenderArguments asked = motion_arguments({path, "--time=0,1:2"});
+  load_for_render(asked, silence);
+  CHECK(asked.samples_per_moment == 2);
+}
+
 TEST_CASE("the light of an option is that of every moment, and so are groups of lights") {
   const TemporaryFolder folder;
   const std::string sky = folder.file("sky.pfm");
@@ -220,7 +239,7 @@ TEST_CASE("a time is one moment, or two and samples of each, and nothing else") 
   CHECK(!parsed("0.5").shutter);
   CHECK(parsed("-1,2").load.time == -1);
   CHECK(parsed("-1,2").shutter == Shutter{-1, 2});
-  CHECK(parsed("-1,2").samples_per_moment == 4);
+  CHECK(parsed("-1,2").samples_per_moment == 0);
   CHECK(parsed("0,1:16").samples_per_moment == 16);
   CHECK(fault("1,1") == "--time: 1 is not less than 1");
   CHECK(fault("2,1") == "--time: 2 is not less than 1");

@@ -26,6 +26,7 @@ NEEDS = "what needs a still scene says so of motion"
 WORDS = "a time is one moment, or two and samples of each, and nothing else"
 OPENS = "without a time pbrt's scene is that of the moment at which the shutter opens"
 CHANGED = "a scene whose file changes while it is rendered is an error, with its time"
+USUAL = "each sample sees its own moment, but where reading and building a scene takes long"
 KNOWN = "known pictures are read once for each use of them"
 CAMERAS = "a camera that is not the file's stays while the scene moves"
 
@@ -90,6 +91,8 @@ MUTANTS = [
     Mutant("pbrt's scene without a time is that of the beginning", "io/pbrt/scene.cpp",
            "states_.open_shutter(camera_.shutter.open);", "states_.open_shutter(0 * camera_.shutter.open);",
            "test_io", OPENS),
+    Mutant("all scenes have as many samples of a moment", "cli/shutter.cpp",
+           "<= few_primitives ? 1 : 4", "<= few_primitives ? 1 : 1", "test_cli", USUAL),
     Mutant("a scene may change while it is rendered", "cli/moving_scene.cpp",
            "if (state_of(file.path) != file)", "if (false)", "test_cli", CHANGED),
     Mutant("pbrt's shutter may close before it opens", "io/pbrt/camera.cpp",
