@@ -32,9 +32,19 @@ Motion MovingScene::motion() {
   return {arguments_.samples_per_moment, [this](double part) { return at(part); }};
 }
 
-TracedScene MovingScene::of_sample(std::uint32_t sample) {
-  return at(shutter_part(motion().moment_of(sample), arguments_.render.seed));
+namespace {
+
+double part_of(std::uint32_t sample, const RenderArguments& arguments) {
+  return shutter_part(sample / arguments.samples_per_moment, arguments.render.seed);
 }
+
+}  // namespace
+
+double MovingScene::time_of(std::uint32_t sample) const {
+  return arguments_.shutter->at(part_of(sample, arguments_));
+}
+
+TracedScene MovingScene::of_sample(std::uint32_t sample) { return at(part_of(sample, arguments_)); }
 
 TracedScene MovingScene::at(double part) {
   // What the last one has taken is free before the next one needs it.

@@ -34,6 +34,8 @@ class MovingScene {
   /// At a part of the time that the shutter is open. The answer holds until the next one. Throws Error, with
   /// the time, also where a file of the scene has changed.
   TracedScene at(double part);
+  /// The time of a render's sample, in seconds.
+  double time_of(std::uint32_t sample) const;
   /// As a render has it for a sample.
   TracedScene of_sample(std::uint32_t sample);
 

@@ -16,6 +16,10 @@ RenderOptions RenderKeeping::resting(RenderOptions options) {
   options.is_pause_due = [this] { return request_.is_made() || (keeper_ && keeper_->is_due()); };
   options.paused = [this](const RenderState& state) { rest(state); };
   if (keeper_) options.restore = [this](RenderState& state) { keeper_->restore(state); };
+  if (keeper_ && keeper_->writes_checkpoints())
+    options.failed = [this](const RenderState& state) {
+      if (keeper_->save(state)) talk_.checkpointed();
+    };
   return options;
 }
 

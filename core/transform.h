@@ -9,6 +9,8 @@ namespace twinray {
 struct Transform {
   double m[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 
+  friend bool operator==(const Transform&, const Transform&) = default;
+
   /// This transform after the other: (a * b)(x) = a(b(x)).
   Transform operator*(const Transform& other) const;
   Vec3 point(const Vec3& p) const;

@@ -201,6 +201,22 @@ class Renderer {
     moment_ = moment;
   }
 
+  void stand_or_fail(std::uint32_t moment) {
+    try {
+      stand_at(moment);
+    } catch (const Error&) {
+      if (options_.failed) at_present(options_.failed);
+      throw;
+    }
+  }
+
+  /// Shows the render with the seconds that it has taken so far.
+  void at_present(const std::function<void(const RenderState&)>& show) {
+    const double before = std::exchange(state_.seconds, state_.seconds + seconds());
+    show(state_);
+    state_.seconds = before;
+  }
+
   /// The next place where a pass may end, whatever was before: 1, 2, 4, ..., longest_pass and its multiples;
   /// the end of a moment. Adaptive sampling decides between passes alone.
   std::uint32_t end_of_pass(std::uint32_t begin) const {
@@ -216,24 +232,18 @@ class Renderer {
   /// False where it is stopped before its end.
   bool render_pass(std::uint32_t begin, std::uint32_t end) {
     const double start = seconds();
-    if (options_.motion) stand_at(options_.motion->moment_of(begin));
+    if (options_.motion) stand_or_fail(options_.motion->moment_of(begin));
     progress_.samples_done = pixel_count() * (begin - range_.begin);
     std::atomic<std::size_t> next = 0, done = 0;
     render_tiles(begin, end, next, done);
     while (done < tiles_.size() && !is_stopped()) {
-      rest();
+      at_present(options_.paused);
       render_tiles(begin, end, next, done);
     }
     if (done < tiles_.size()) return false;
     if (options_.pass_done) options_.pass_done(film_);
     pass_seconds_ = (seconds() - start) / (end - begin);
     return true;
-  }
-
-  void rest() {
-    const double before = std::exchange(state_.seconds, state_.seconds + seconds());
-    options_.paused(state_);
-    state_.seconds = before;
   }
 
   /// What the samples of a batch are made in.

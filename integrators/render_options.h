@@ -92,6 +92,8 @@ struct RenderOptions {
   /// render as it is; then it goes on.
   std::function<bool()> is_pause_due;
   std::function<void(const RenderState&)> paused;
+  /// If set, gets the render as it is where a moment of Motion cannot be had, before the Error is thrown on.
+  std::function<void(const RenderState&)> failed;
   /// If set, may fill the state that a render begins with, which is empty, with that of an earlier one of the
   /// same scene and options, but for the number of samples (docs/films.md). Throws Error.
   std::function<void(RenderState&)> restore;

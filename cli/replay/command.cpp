@@ -55,7 +55,8 @@ int replay_command(const RenderArguments& asked) {
   const TracedScene seen = arguments.shutter ? moving.of_sample(request.sample.index)
                                              : TracedScene{loaded.scene, *accelerator, *integrator};
   const Replay made = replay(seen, arguments.path, arguments.render, request.sample);
-  const ReplayedSample replayed{arguments, seen.scene, made};
+  ReplayedSample replayed{arguments, seen.scene, made};
+  if (arguments.shutter) replayed.time = moving.time_of(request.sample.index);
   write(request, replayed);
   if (!arguments.quiet || outputs.empty()) console::write(replay_text(replayed));
   if (same_bits(made.path.sum(), made.radiance)) return 0;

@@ -144,20 +144,21 @@ FloatJson json_of(const Scene& scene, const PathVertex& vertex) {
 std::string replay_json(const ReplayedSample& replayed) {
   const RenderOptions& render = replayed.arguments.render;
   const PathLog& path = replayed.replay.path;
-  const FloatJson result{{"program", version_name()},
-                         {"scene", replayed.arguments.scene},
-                         {"resolution", {render.width, render.height}},
-                         {"samples_per_pixel", render.samples},
-                         {"seed", render.seed},
-                         {"sampler", sampler_name(render.sampler)},
-                         {"filter", filter_text(render.filter)},
-                         {"weight", json_of(replayed.replay.sample.weight)},
-                         {"pixel", {replayed.place().x, replayed.place().y}},
-                         {"sample", replayed.place().index},
-                         {"vertices", list_json(replayed.scene, path.vertices())},
-                         {"end", end_text(path.end())},
-                         {"sum", json_of(path.sum())},
-                         {"rendered", json_of(replayed.replay.radiance)}};
+  FloatJson result{{"program", version_name()},
+                   {"scene", replayed.arguments.scene},
+                   {"resolution", {render.width, render.height}},
+                   {"samples_per_pixel", render.samples},
+                   {"seed", render.seed},
+                   {"sampler", sampler_name(render.sampler)},
+                   {"filter", filter_text(render.filter)},
+                   {"weight", json_of(replayed.replay.sample.weight)},
+                   {"pixel", {replayed.place().x, replayed.place().y}},
+                   {"sample", replayed.place().index},
+                   {"vertices", list_json(replayed.scene, path.vertices())},
+                   {"end", end_text(path.end())},
+                   {"sum", json_of(path.sum())},
+                   {"rendered", json_of(replayed.replay.radiance)}};
+  if (replayed.time) result["time"] = *replayed.time;
   return result.dump(2, ' ', false, FloatJson::error_handler_t::replace) + "\n";
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
+
 #include "cli/render_arguments.h"
 #include "integrators/replay.h"
 
@@ -10,6 +12,7 @@ struct ReplayedSample {
   const RenderArguments& arguments;
   const Scene& scene;
   const Replay& replay;
+  std::optional<double> time = {};  ///< In seconds, where something moves: when the sample was made.
 
   const PixelSample& place() const { return arguments.replay->sample; }
 };

@@ -176,6 +176,7 @@ std::string replay_text(const ReplayedSample& replayed) {
       "Camera\n",
       replayed.place().x, replayed.place().y, replayed.place().index, render.samples,
       replayed.arguments.scene, render.width, render.height, render.seed, sampler_name(render.sampler));
+  if (replayed.time) text += line("time", fmt::format("{:g} s", *replayed.time));
   text += line("ray", fmt::format("from {} along {}", text_of(made.sample.ray.origin),
                                   text_of(made.sample.ray.direction)));
   if (made.sample.weight != 1)

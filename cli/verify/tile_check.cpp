@@ -47,20 +47,53 @@ std::vector<PixelRect> chosen_tiles(const PixelRect& window, std::uint32_t count
   return tiles;
 }
 
+namespace {
+
+/// The tiles with samples [.., end), of which they have those that come before.
+void render_up_to(std::uint32_t end, const TracedScene& of, const RenderArguments& arguments,
+                  const std::vector<PixelRect>& tiles, std::vector<std::optional<RenderResult>>& results) {
+  parallel_for(tiles.size(), 1, arguments.render.threads, [&](std::size_t i, std::size_t) {
+    RenderOptions options = arguments_of_tile(arguments, tiles[i]).render;
+    options.range = SampleRange{samples_of(options).begin, end};
+    if (results[i]) options.restore = [&](RenderState& state) { state = std::move(*results[i]); };
+    results[i] = render(of.scene, of.accelerator, of.integrator, options);
+  });
+}
+
+/// Each moment is read once.
+std::vector<std::optional<RenderResult>> render_motion(const RenderArguments& arguments,
+                                                       const LoadedScene& loaded,
+                                                       const std::vector<PixelRect>& tiles) {
+  MovingScene moving(arguments, loaded);
+  const Motion motion = moving.motion();
+  const SampleRange samples = samples_of(arguments.render);
+  std::vector<std::optional<RenderResult>> results(tiles.size());
+  for (std::uint32_t begin = samples.begin, end = 0; begin < samples.end; begin = end) {
+    end = std::min(motion.end_of_moment(begin), samples.end);
+    render_up_to(end, moving.of_sample(begin), arguments, tiles, results);
+  }
+  return results;
+}
+
+std::vector<std::optional<RenderResult>> render_still(const RenderArguments& arguments, const Scene& scene,
+                                                      const std::vector<PixelRect>& tiles) {
+  const auto integrator = make_integrator(arguments, scene);
+  const auto accelerator = build_accelerator(arguments.backend, scene.geometry, arguments.build);
+  std::vector<std::optional<RenderResult>> results(tiles.size());
+  parallel_for(tiles.size(), 1, arguments.render.threads, [&](std::size_t i, std::size_t) {
+    results[i] = render(scene, *accelerator, *integrator, arguments_of_tile(arguments, tiles[i]).render);
+  });
+  return results;
+}
+
+}  // namespace
+
 std::vector<WrongTile> check_tiles(const ClaimedPicture& picture, const RenderArguments& arguments,
                                    const LoadedScene& loaded, const std::vector<PixelRect>& tiles,
                                    const ScratchFolder& folder) {
   const Scene& scene = loaded.scene;
-  const auto integrator = make_integrator(arguments, scene);
-  const auto accelerator = build_accelerator(arguments.backend, scene.geometry, arguments.build);
-  std::vector<std::optional<RenderResult>> results(tiles.size());
-  const int threads = arguments.shutter ? 1 : arguments.render.threads;  // Each moment fills the memory.
-  parallel_for(tiles.size(), 1, threads, [&](std::size_t i, std::size_t) {
-    RenderOptions options = arguments_of_tile(arguments, tiles[i]).render;
-    std::optional<MovingScene> moving;
-    if (arguments.shutter) options.motion = moving.emplace(arguments, loaded).motion();
-    results[i] = render(scene, *accelerator, *integrator, options);
-  });
+  const std::vector<std::optional<RenderResult>> results =
+      arguments.shutter ? render_motion(arguments, loaded, tiles) : render_still(arguments, scene, tiles);
   const PixelRect window = window_of(arguments.render);
   const SceneNames names = scene_names(scene, film_contents(arguments.render, scene));
   const std::string part = folder.file("tile" + fs::path(arguments.output).extension().string());

@@ -54,10 +54,6 @@ Transform factor_of(const PbrtStatement& statement) {
   }
 }
 
-bool is_same(const Transform& a, const Transform& b) {
-  return std::equal(&a.m[0][0], &a.m[0][0] + 12, &b.m[0][0]);
-}
-
 }  // namespace
 
 double PbrtStates::part() const {
@@ -66,11 +62,18 @@ double PbrtStates::part() const {
 }
 
 void PbrtStates::move(const PbrtMotion& motion) {
-  if (is_same(motion.start, motion.end)) {
+  if (motion.start == motion.end) {
     now_.space = {motion.start, {}};
     return;
   }
   now_.space = {interpolated(motion.start, motion.end, part()), motion};
+}
+
+void PbrtStates::stand(const PbrtSpace& space) {
+  if (space.motion)
+    move(*space.motion);  // It may have been named before the time was known.
+  else
+    now_.space = space;
 }
 
 template <typename Change>
@@ -105,7 +108,7 @@ bool PbrtStates::take_transform(const PbrtStatement& statement, WarningList& war
       return true;
     case coord_sys_transform:
       if (const auto found = systems_.find(statement.words[0]); found != systems_.end())
-        now_.space = found->second;
+        stand(found->second);
       else
         statement.place.warn(warnings, fmt::format("no coordinate system \"{}\" was named before; the "
                                                    "transform stays as it is",

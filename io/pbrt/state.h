@@ -100,6 +100,7 @@ class PbrtStates {
   /// Of the way from the beginning to the end, at the time that is shown.
   double part() const;
   void move(const PbrtMotion& motion);
+  void stand(const PbrtSpace& space);
   template <typename Change>
   void change(const Change& change);
 

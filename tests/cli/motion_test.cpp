@@ -2,6 +2,7 @@
 // Motion while the shutter is open, as a program.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,6 +110,9 @@ TEST_CASE("each sample is replayed at its own moment") {
     const auto sum = nlohmann::json::parse(read_text(json)).at("sum");
     return Rgb{sum[0], sum[1], sum[2]};
   };
+  const std::string said =
+      said_by(fmt::format("render {} -r 40 24 {} --replay 14 10 1", moving_wheel, words));
+  CHECK(contains(said, fmt::format("  time             {:g} s\n", 0.5 * shutter_part(1, 0))));
   const Rgb first = radiance(0), second = radiance(1);
   CHECK(first != second);
   CHECK(pixel.r == Approx((first.r + second.r) / 2).epsilon(1e-6));
@@ -188,6 +192,27 @@ TEST_CASE("each sample sees its own moment, but where reading and building a sce
   RenderArguments asked = motion_arguments({path, "--time=0,1:2"});
   load_for_render(asked, silence);
   CHECK(asked.samples_per_moment == 2);
+}
+
+TEST_CASE("a render that fails at a later moment leaves its samples in the checkpoint") {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.pbrt"), film = folder.file("a.film");
+  // A triangle that grows: from three quarters of the time on its corners are too far away. That is so of the
+  // third moment, at 0.85, and not of those before it, at 0.60 and 0.10.
+  REQUIRE(shutter_part(2, 0) > 0.8);
+  REQUIRE(shutter_part(0, 0) < 0.7);
+  write_text(
+      path,
+      "WorldBegin LightSource \"infinite\" ActiveTransform EndTime Scale 1.3333e12 1.3333e12 1.3333e12 "
+      "Shape \"trianglemesh\" \"point3 P\" [ 0 0 1  1 0 1  0 1 1 ]");
+  const ProcessResult result =
+      run_program(fmt::format("render {} -r 8 6 -s 64 -q --time=0,1 --checkpoint={} -o {}", quoted(path),
+                              quoted(film), in(folder, "a.png")));
+  INFO(result.err);
+  CHECK(result.exit_code == 1);
+  CHECK(contains(result.err, "at 0.853085 s: " + path + ":1:"));
+  // It has what a picture of two samples needs.
+  CHECK(said_by("resume " + quoted(film) + " -s 2 -q -o " + in(folder, "b.png")).empty());
 }
 
 TEST_CASE("the light of an option is that of every moment, and so are groups of lights") {

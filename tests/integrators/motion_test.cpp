@@ -109,6 +109,25 @@ TEST_CASE("a picture of motion that goes on has the bits of one that was made at
   CHECK(bytes_of(result.film) == bytes_of(expected.film));
 }
 
+TEST_CASE("where a moment cannot be had, the samples before it are handed over") {
+  SlidingRoom room;
+  const Scene still = small_room();
+  const PathIntegrator path(still, {.max_depth = 2});
+  RenderOptions options = motion_options(9);
+  int moments = 0;
+  options.motion = Motion{3, [&](double part) {
+                            if (++moments > 2) throw Error("no third moment");
+                            return room.at(part);
+                          }};
+  std::optional<RenderState> kept;
+  options.failed = [&](const RenderState& state) { kept.emplace(state); };
+  CHECK(error_text([&] { render_with(still, path, options); }) == "no third moment");
+  REQUIRE(kept);
+  CHECK(kept->samples == 6);
+  CHECK(kept->film.pixel(3, 4).count == 6);
+  CHECK(kept->seconds > 0);
+}
+
 TEST_CASE("no noise target is reached by the samples of few moments") {
   SlidingRoom room;
   RenderOptions options = motion_options(64);

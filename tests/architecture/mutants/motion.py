@@ -27,6 +27,8 @@ WORDS = "a time is one moment, or two and samples of each, and nothing else"
 OPENS = "without a time pbrt's scene is that of the moment at which the shutter opens"
 CHANGED = "a scene whose file changes while it is rendered is an error, with its time"
 USUAL = "each sample sees its own moment, but where reading and building a scene takes long"
+HANDED = "where a moment cannot be had, the samples before it are handed over"
+FAILED = "a render that fails at a later moment leaves its samples in the checkpoint"
 KNOWN = "known pictures are read once for each use of them"
 CAMERAS = "a camera that is not the file's stays while the scene moves"
 
@@ -41,8 +43,8 @@ MUTANTS = [
     Mutant("the first moment stays", "integrators/render.cpp",
            "if (maker_ && moment == moment_) return;", "if (maker_) return;", "test_integrators", STILL),
     Mutant("a render that goes on begins with the first moment", "integrators/render.cpp",
-           "stand_at(options_.motion->moment_of(begin))",
-           "stand_at(options_.motion->moment_of(begin - first))",
+           "stand_or_fail(options_.motion->moment_of(begin));",
+           "stand_or_fail(options_.motion->moment_of(begin - state_.samples));",
            "test_integrators", GOES_ON),
     Mutant("a noise target counts samples of the same moment", "integrators/render.cpp",
            "samples / alike < least_samples_of_target", "samples < least_samples_of_target",
@@ -75,7 +77,7 @@ MUTANTS = [
     Mutant("pbrt's end moves the beginning", "io/pbrt/state.cpp",
            "if (now_.is_start_active) motion.start", "if (true) motion.start", "test_io", SHAPES),
     Mutant("what has moved in pbrt's file moves on", "io/pbrt/state.cpp",
-           "if (is_same(motion.start, motion.end)) {", "if (false) {", "test_io", SHUTTER),
+           "if (motion.start == motion.end) {", "if (false) {", "test_io", SHUTTER),
     Mutant("what is placed in pbrt's file moves, or has moved", "io/pbrt/state.h",
            "moves_ = moves_ || now_.space.motion;", "moves_ = now_.space.motion.has_value();",
            "test_io", SHUTTER),
@@ -98,9 +100,18 @@ MUTANTS = [
     Mutant("pbrt's shutter may close before it opens", "io/pbrt/camera.cpp",
            "if (!(open < close))", "if (open == close)", "test_io", CLOSED),
     Mutant("a picture of motion is verified by a still one", "cli/verify/tile_check.cpp",
-           "if (arguments.shutter) options.motion", "if (false) options.motion", "test_cli", VERIFIED),
+           "arguments.shutter ? render_motion(arguments, loaded, tiles)",
+           "false ? render_motion(arguments, loaded, tiles)", "test_cli", VERIFIED),
+    Mutant("moments are verified by the first one", "cli/verify/tile_check.cpp",
+           "moving.of_sample(begin)", "moving.of_sample(0 * begin)", "test_cli", VERIFIED),
+    Mutant("a render that fails at a moment keeps nothing", "integrators/render.cpp",
+           "if (options_.failed) at_present(options_.failed);", "", "test_integrators", HANDED),
+    Mutant("no checkpoint of a render that fails", "cli/render_keeping.cpp",
+           "if (keeper_->save(state)) talk_.checkpointed();\n    };", "};", "test_cli", FAILED),
+    Mutant("a space that was named before the shutter opens stays", "io/pbrt/state.cpp",
+           "move(*space.motion);  // It", "now_.space = space;  // It", "test_io", OPENS),
     Mutant("all samples are replayed at one moment", "cli/moving_scene.cpp",
-           "motion().moment_of(sample)", "motion().moment_of(0 * sample)", "test_cli", REPLAYED),
+           "shutter_part(sample / arguments", "shutter_part(0 * sample / arguments", "test_cli", REPLAYED),
     Mutant("the shutter opens when it closes", "cli/options/camera.cpp",
            "arguments.shutter = {*arguments.load.time, parse_number(\"--time\", end, moments)};",
            "arguments.shutter = {*arguments.load.time, *arguments.load.time + 1};",

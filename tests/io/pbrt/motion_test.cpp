@@ -45,6 +45,9 @@ TEST_CASE("without a time pbrt's scene is that of the moment at which the shutte
   const std::string camera = "Camera \"perspective\" \"float shutteropen\" 0.25 \"float shutterclose\" 2 ";
   CHECK(is_near(corner_at({}, sliding, camera), {2, 0, 0}));
   CHECK(is_near(corner_at(1, sliding, camera), {5, 0, 0}));
+  CHECK(is_near(
+      corner_at({}, "CoordSysTransform \"a\"", sliding + " CoordinateSystem \"a\" Identity " + camera),
+      {2, 0, 0}));
   const std::string moving = "ActiveTransform EndTime Translate -4 0 0 ActiveTransform All " + camera;
   CHECK(is_near(load_pbrt_text(moving + "WorldBegin " + pbrt_triangle).scene.camera.position, {1, 0, 0}));
 }
