@@ -85,17 +85,31 @@ Interiors Interiors::shared_with(Interiors other) const {
 
 void forget_clear_interiors(std::span<Material> materials) {
   const auto matters = [](const Material& material) {
-    return !is_black(material.interior.absorption) || material.interior.priority != 0;
+    return !is_black(material.interior.extinction()) || material.interior.priority != 0;
   };
   if (std::any_of(materials.begin(), materials.end(), matters)) return;
   for (Material& material : materials) material.interior.is_clear = false;
 }
 
+bool has_scattering_medium(std::span<const Material> materials) {
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const Material& material) { return !is_black(material.interior.scattering); });
+}
+
+const Material* scattering_medium(std::span<const Material> materials, const Interiors& interiors) {
+  if (interiors.empty()) return nullptr;
+  const Material& there = materials[interiors.prevailing(materials)];
+  return is_black(there.interior.scattering) ? nullptr : &there;
+}
+
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length) {
   if (interiors.empty()) return {1, 1, 1};
-  const Rgb& absorption = materials[interiors.prevailing(materials)].interior.absorption;
-  const auto channel = [&](float a) { return a > 0 ? exp_of(-a * length) : 1.0f; };
-  return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
+  return transmittance(materials[interiors.prevailing(materials)].interior.extinction(), length);
+}
+
+Rgb transmittance(const Rgb& extinction, float length) {
+  const auto channel = [&](float e) { return e > 0 ? exp_of(-e * length) : 1.0f; };
+  return {channel(extinction.r), channel(extinction.g), channel(extinction.b)};
 }
 
 Surroundings surroundings_of(std::span<const Material> materials, std::uint32_t material, bool is_inside,

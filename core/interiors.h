@@ -37,12 +37,21 @@ class Interiors {
   std::uint64_t bits_ = 0;  ///< Four indices plus one, the last one entered lowest; 0 for none.
 };
 
-/// Where nothing absorbs light and nothing has a priority, it is the same whether a path knows that it is in
+/// Where nothing fills a body and nothing has a priority, it is the same whether a path knows that it is in
 /// something clear: it need not.
 void forget_clear_interiors(std::span<Material> materials);
 
-/// The part of light that is left behind a way through interiors; `length` may be infinite.
+/// Whether anything scatters light on its way between surfaces.
+bool has_scattering_medium(std::span<const Material> materials);
+
+/// The material whose interior scatters the light that is in these interiors; null where none does.
+const Material* scattering_medium(std::span<const Material> materials, const Interiors& interiors);
+
+/// The part of light that is left behind a way through interiors, neither absorbed nor scattered; `length`
+/// may be infinite.
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length);
+/// The same of one medium.
+Rgb transmittance(const Rgb& extinction, float length);
 
 /// What a surface is a boundary to, by the priorities of nested interiors (Schmidt and Budge, "Simple Nested
 /// Dielectrics in Ray Traced Images", 2002).

@@ -85,7 +85,7 @@ float corner_weight(const Receiver& receiver, const Vec3& corner, const Vec3& no
   const float emitted = side == EmissionSide::both    ? std::fabs(front)
                         : side == EmissionSide::front ? positive(front)
                                                       : positive(-front);
-  return (positive(dot(receiver.normal, between)) / squared) * (emitted / squared);
+  return (positive(receiver.facing(between)) / squared) * (emitted / squared);
 }
 
 /// Where in [0, 1] a draw falls by a density that grows from a to b, both > 0, to a common factor.

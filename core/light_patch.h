@@ -47,11 +47,16 @@ struct PatchLight {
 /// The patches of a light whose triangles have the total area `area`.
 PatchLight patch_light(const Mesh& mesh, EmissionSide side, double area);
 
-/// Where light is gathered.
+/// Where light is gathered: at a surface, or at a point in a medium, where all directions are alike.
 struct Receiver {
   Vec3 position;
-  Vec3 normal;                      ///< The unit shading normal on the viewer's side.
+  Vec3 normal;                      ///< The unit shading normal on the viewer's side; 0 in a medium.
   bool lets_light_through = false;  ///< Light from behind counts, too.
+
+  bool is_in_medium() const { return normal == Vec3{}; }
+  /// By how much a surface is foreshortened, seen along a vector to where light comes from: the cosine with
+  /// its normal, times the vector's length.
+  float facing(const Vec3& towards) const { return is_in_medium() ? length(towards) : dot(normal, towards); }
 };
 
 /// What a receiver gets from the corners of each patch of a light, relative to the mean over the light.

@@ -158,7 +158,7 @@ float LightNode::importance(const Receiver& receiver) const {
   const float cos_least = cos_less(sin_beyond, cos_beyond, sin_box, cos_box);
   if (cos_least < cos_emission) return 0;
 
-  const float cos_normal = dot(receiver.normal, direction);
+  const float cos_normal = receiver.is_in_medium() ? 1 : dot(receiver.normal, direction);
   const float cos_receiver = receiver.lets_light_through ? std::fabs(cos_normal) : cos_normal;
   const float cos_at_best = cos_less(sine_of(cos_receiver), cos_receiver, sin_box, cos_box) + slack;
   return std::max(power * cos_least * cos_at_best / squared, 0.0f);

@@ -199,15 +199,20 @@ struct TextureUse {
   InputMeaning meaning = InputMeaning::value;
 };
 
-/// What lies within a closed surface that lets light in.
+/// What lies within a closed surface that lets light in: a medium, the same everywhere.
 struct Interior {
   Rgb absorption;  ///< Per unit of length, >= 0: light that goes a way d is times e^(-absorption d).
   /// Where interiors overlap, the one of the highest priority is there; those of 0 do not hide others, nor
   /// are hidden. >= 0.
   std::int32_t priority = 0;
-  bool is_clear = false;  ///< It absorbs nothing, and what lies around it ends here: ice in tea.
+  bool is_clear = false;  ///< Nothing fills it, and what lies around it ends here: ice in tea.
+  Rgb scattering;  ///< Per unit of length, >= 0: of light that goes a way d, e^(-scattering d) goes straight
+                   ///< on.
+  float anisotropy = 0;  ///< Of what is scattered: core/phase_function.h.
 
   bool operator==(const Interior&) const = default;
+  /// Of light that goes a way d, the part e^(-extinction d) is neither absorbed nor scattered.
+  Rgb extinction() const { return absorption + scattering; }
 };
 
 struct Material {

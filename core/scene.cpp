@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/interiors.h"
 #include "core/nested_mixes.h"
+#include "core/phase_function.h"
 #include "core/scene_textures.h"
 #include "core/textured_material.h"
 
@@ -119,9 +120,27 @@ void check_interior(const Scene& scene, std::size_t index) {
   if (!is_finite(absorption) || std::min({absorption.r, absorption.g, absorption.b}) < 0)
     throw Error(fmt::format("material {} has an absorption of {:g} {:g} {:g}; each must be finite and >= 0",
                             index, absorption.r, absorption.g, absorption.b));
+  const Rgb& scattering = material.interior.scattering;
+  if (!is_finite(scattering) || std::min({scattering.r, scattering.g, scattering.b}) < 0)
+    throw Error(fmt::format("material {} has a scattering of {:g} {:g} {:g}; each must be finite and >= 0",
+                            index, scattering.r, scattering.g, scattering.b));
+  if (!(std::fabs(material.interior.anisotropy) <= PhaseFunction::most_anisotropy))
+    throw Error(fmt::format("material {} has an anisotropy of {:g}; valid are -{:g} to {:g}", index,
+                            material.interior.anisotropy, PhaseFunction::most_anisotropy,
+                            PhaseFunction::most_anisotropy));
   if (material.interior.priority < 0)
     throw Error(
         fmt::format("material {} has the priority {}; it must be >= 0", index, material.interior.priority));
+}
+
+void check_atmosphere(const Scene& scene) {
+  if (scene.atmosphere == no_material) return;
+  if (scene.atmosphere >= scene.materials.size())
+    throw Error(fmt::format("the atmosphere is that of material {}; there are {}", scene.atmosphere,
+                            scene.materials.size()));
+  if (!std::holds_alternative<Interface>(scene.materials[scene.atmosphere].model))
+    throw Error(
+        fmt::format("the atmosphere is that of material {}, which is not an interface", scene.atmosphere));
 }
 
 /// Once each mix is known to be of materials before it.
@@ -149,6 +168,7 @@ void check_scene(const Scene& scene) {
   check_textures(scene.textures);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
   check_mixes(scene.materials);
+  check_atmosphere(scene);
 }
 
 }  // namespace twinray

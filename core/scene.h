@@ -13,7 +13,7 @@
 
 namespace twinray {
 
-inline constexpr std::uint32_t no_light = 0xffffffff, no_asset = 0xffffffff;
+inline constexpr std::uint32_t no_light = 0xffffffff, no_asset = 0xffffffff, no_material = 0xffffffff;
 
 /// What a shape is made of and, where it emits, which light it is: indices into Scene's materials, lights and
 /// textures.
@@ -34,6 +34,9 @@ struct Scene {
   std::vector<std::string> assets;        ///< Names of what several shapes may belong to.
   std::vector<Texture> textures;
   Camera camera;
+  /// The material whose interior fills space around all shapes, if any: what a camera is in that stands in
+  /// none of them. An Interface.
+  std::uint32_t atmosphere = no_material;
 };
 
 /// The number of what a shape belongs to: of one of the scene's assets or, behind all of them, its own.
@@ -43,7 +46,8 @@ inline std::uint32_t asset_of(const Scene& scene, std::uint32_t shape) {
 }
 
 /// Throws Error where an index points nowhere, a light's shape is not of the light's kind, a mixture is one
-/// of materials behind it, or a shape is opaque that has an alpha, or the other way round.
+/// of materials behind it, the atmosphere is that of no interface, or a shape is opaque that has an alpha, or
+/// the other way round.
 void check_scene(const Scene& scene);
 
 }  // namespace twinray

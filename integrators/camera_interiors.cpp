@@ -47,7 +47,7 @@ CameraInteriors::CameraInteriors(const Scene& scene, const Accelerator& accelera
 }
 
 void CameraInteriors::find(std::span<CameraSample> samples) const {
-  if (bodies_.is_empty()) return;
+  if (bodies_.is_empty() && scene_.atmosphere == no_material) return;
   for (CameraSample& sample : samples) {
     const Ray& ray = sample.ray;
     sample.interiors = of_all_ ? *of_all_ : at(ray.origin + ray.direction * ray.t_min);
@@ -55,8 +55,10 @@ void CameraInteriors::find(std::span<CameraSample> samples) const {
 }
 
 Interiors CameraInteriors::at(const Vec3& point) const {
-  if (!bodies_.contains(Aabb{point, point})) return {};
-  return along(aslant, point).shared_with(along(-aslant, point));
+  Interiors found;
+  if (bodies_.contains(Aabb{point, point})) found = along(aslant, point).shared_with(along(-aslant, point));
+  if (found.empty() && scene_.atmosphere != no_material) found.enter(scene_.atmosphere);
+  return found;
 }
 
 Interiors CameraInteriors::along(const Vec3& direction, const Vec3& point) const {

@@ -18,7 +18,7 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     const Rgb scattered = at.scattered(look.direction).value;
     if (is_black(scattered)) continue;
     const Ray ray = spawn_ray(at.point(), look.direction);
-    Passages::Way way{ray, tracer.bounce_hit(ray), at.interiors(look.direction)};
+    Way way{ray, tracer.bounce_hit(ray), at.interiors(look.direction)};
     if (transport.passages) transport.passages->follow(tracer, way);
     const Hit& hit = way.hit;
     const Rgb passed = way.left * transmittance(transport, way.interiors, way.ray, hit.t);
@@ -83,7 +83,7 @@ Rgb found_alone(const LightTransport& transport, const Arrival& arrival, PathObs
 }  // namespace
 
 void ScatteredLight::add(const Interaction& at, const Vec3& wi, const Rgb& light) {
-  if (at.to_local(wi).z < 0)
+  if (at.transmits(wi))
     transmitted += light;
   else
     diffuse += light * at.diffuse_share(wi);

@@ -3,6 +3,8 @@
 #include "core/bsdf_table.h"
 #include "core/scene.h"
 #include "integrators/integrator.h"
+#include "integrators/interaction.h"
+#include "integrators/way.h"
 
 namespace twinray {
 
@@ -17,13 +19,18 @@ class FurnaceIntegrator final : public PlainIntegrator {
  public:
   /// The scene must outlive the integrator.
   FurnaceIntegrator(const Scene& scene, int max_depth)
-      : bsdfs_(scene, Materials::exact), max_depth_(max_depth) {}
+      : bsdfs_(scene, Materials::exact),
+        max_depth_(max_depth),
+        has_scattering_medium_(has_scattering_medium(scene.materials)) {}
 
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
+  /// Where a path has come to.
+  Interaction arrive(const Way& way, const VertexSampler& sampler, const Viewing& viewing) const;
 
   BsdfTable bsdfs_;
   int max_depth_;
+  bool has_scattering_medium_;
 };
 
 }  // namespace twinray

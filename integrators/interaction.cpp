@@ -76,4 +76,38 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
   bsdf_.look_from(wo_local_);
 }
 
+Interaction::Interaction(PhaseFunction phase, std::uint32_t material, const SurfacePoint& point,
+                         const Vec3& wo, const Interiors& interiors)
+    : point_(point),
+      material_(material),
+      wo_(wo),
+      facing_normal_(wo),
+      shading_{Frame(wo)},
+      wo_local_{0, 0, 1},
+      bsdf_(Bsdf(Interface{})),
+      phase_(phase),
+      before_(interiors),
+      behind_(interiors) {}
+
+Interaction Interaction::in_medium(const Scene& scene, const Vec3& position, const Vec3& wo,
+                                   const Viewing& viewing) {
+  const std::uint32_t medium = viewing.interiors.prevailing(scene.materials);
+  SurfacePoint point;
+  point.position = position;
+  point.geometric_normal = point.shading_normal = wo;
+  return {PhaseFunction(scene.materials[medium].interior.anisotropy), medium, point, wo, viewing.interiors};
+}
+
+BsdfValue Interaction::phase_value(const Vec3& local) const {
+  const float density = phase_->evaluate(-local.z);
+  return {{density, density, density}, density};
+}
+
+BsdfSample Interaction::sample(float lobe, Vec2 u) const {
+  if (!phase_) return bsdf_->sample(wo_local_, lobe, u);
+  const Vec3 wi = phase_->sample(u);
+  const auto [value, pdf] = phase_value(wi);
+  return {.wi = wi, .value = value, .pdf = pdf};
+}
+
 }  // namespace twinray

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cmath>
+#include <optional>
 
 #include "core/bsdf_table.h"
 #include "core/light_patch.h"
+#include "core/phase_function.h"
 #include "core/shadow_terminator.h"
 #include "core/surface.h"
 #include "integrators/shading_frame.h"
 
 namespace twinray {
 
-/// A surface point together with the direction it is seen from: what scattering needs.
+/// A point where light is scattered together with the direction it is seen from: what scattering needs.
+/// Mostly a point of a surface; else one in a medium, all directions from which lie in the medium.
 ///
 /// Both normals are turned to the viewer's side. Where interpolated normals contradict the geometry (the
 /// viewer lies behind the shading normal), the geometric one shades. Outside is where the shape's shading
@@ -20,10 +23,19 @@ class Interaction {
   /// `wo` is a unit vector to the viewer.
   Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo, const Viewing& viewing = {});
 
+  /// Of a point in a medium, seen by whom `viewing` says to be in it. Its normal is wo.
+  static Interaction in_medium(const Scene& scene, const Vec3& position, const Vec3& wo,
+                               const Viewing& viewing);
+
+  bool is_in_medium() const { return phase_.has_value(); }
+  /// In a medium it is a point that rays leave as they are.
   const SurfacePoint& point() const { return point_; }
-  /// Index into the scene's materials.
+  /// Index into the scene's materials; in a medium of the one whose interior that is.
   std::uint32_t material() const { return material_; }
+  /// Of a surface.
   const Bsdf& bsdf() const { return *bsdf_; }
+  /// How much of the light from all around is scattered, about; in [0, 1].
+  Rgb albedo() const { return phase_ ? Rgb{1, 1, 1} : bsdf_->albedo(); }
   /// From now on the table need not outlive it.
   void keep_bsdf() { bsdf_.keep(); }
   /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
@@ -31,7 +43,10 @@ class Interaction {
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return shading_.frame.normal; }
-  Receiver receiver() const { return {point_.position, normal(), bsdf_->lets_light_through()}; }
+  Receiver receiver() const {
+    if (phase_) return {point_.position, {}, true};
+    return {point_.position, normal(), bsdf_->lets_light_through()};
+  }
 
   const Frame& frame() const { return shading_.frame; }
   /// Whether a map bends the normal: then kept() is not always 1.
@@ -42,11 +57,19 @@ class Interaction {
   /// f(wo, wi) |cos(wi)| for a unit direction in world space, and the density with which scattering chooses
   /// it, of all but delta directions. Black where wi leaves on another side of the surface than of its
   /// shading normal, so that no light leaks through.
+  /// In a medium it is the phase function, without a cosine.
   BsdfValue scattered(const Vec3& wi) const {
     const Vec3 local = to_local(wi);
+    if (phase_) return phase_value(local);
     const auto [value, pdf] = bsdf_->evaluate(wo_local_, local);
     return {is_consistent(wi) ? value * (std::fabs(local.z) * kept(wi)) : Rgb{}, pdf};
   }
+  /// A direction of scattered light, as Bsdf::sample() gives it.
+  BsdfSample sample(float lobe, Vec2 u) const;
+  /// The cosine that belongs to a sample's value, >= 0; in a medium there is none: 1.
+  float cosine(const BsdfSample& sample) const { return phase_ ? 1 : std::fabs(sample.wi.z); }
+  /// Whether light from a direction goes through the surface; all light goes through media.
+  bool transmits(const Vec3& wi) const { return phase_ || to_local(wi).z < 0; }
   /// The part of scattered(wi) that the matte part of the surface scatters, channel by channel, in [0, 1].
   Rgb diffuse_share(const Vec3& wi) const;
   /// The part of light from a consistent direction that is left where a map bends the normal, softly falling
@@ -80,6 +103,10 @@ class Interaction {
   Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo, const Viewing& viewing,
               const Meeting& meeting);
 
+  Interaction(PhaseFunction phase, std::uint32_t material, const SurfacePoint& point, const Vec3& wo,
+              const Interiors& interiors);
+  BsdfValue phase_value(const Vec3& local) const;
+
   SurfacePoint point_;
   std::uint32_t material_;
   Vec3 wo_;
@@ -87,6 +114,7 @@ class Interaction {
   ShadingFrame shading_;
   Vec3 wo_local_;
   BsdfAt bsdf_;
+  std::optional<PhaseFunction> phase_;  ///< Of a point in a medium.
   Interiors before_, behind_;
 };
 

@@ -69,8 +69,8 @@ inline Rgb albedo_record(const SeenSurface& seen) {
 bool has_environment(const Scene& scene);
 
 /// How much of the picture a camera ray covers.
-inline Rgb alpha_record(const Hit& hit, bool has_environment) {
-  return {hit.is_miss() && !has_environment ? 0.0f : 1.0f, 0, 0};
+inline Rgb alpha_record(bool is_beyond_scene, bool has_environment) {
+  return {is_beyond_scene && !has_environment ? 0.0f : 1.0f, 0, 0};
 }
 
 }  // namespace twinray

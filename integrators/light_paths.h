@@ -26,7 +26,7 @@ struct FirstScattering {
 /// Of a path that leaves in a direction.
 inline FirstScattering first_scattering(const Interaction& at, const Vec3& wi, Seeking seeking) {
   if (at.is_lambert()) return {};
-  return {seeking == Seeking::alone ? Rgb{} : at.diffuse_share(wi), at.to_local(wi).z < 0};
+  return {seeking == Seeking::alone ? Rgb{} : at.diffuse_share(wi), at.transmits(wi)};
 }
 
 /// The light of one sample by its paths.

@@ -12,8 +12,6 @@ namespace {
 /// Whoever passes more is lost between surfaces that lie in each other.
 constexpr int most_passages = 10000;
 
-float length_to(const Ray& ray, float t) { return (t - ray.t_min) * length(ray.direction); }
-
 }  // namespace
 
 Passages::Passages(const Scene& scene) : scene_(scene) {
@@ -27,7 +25,7 @@ Passages::Passages(const Scene& scene) : scene_(scene) {
 void Passages::pass(Tracer& tracer, Way& way, RayKind kind) const {
   StraightOn through(scene_, way.interiors);
   for (int passed = 0; is_one(way.hit); ++passed) {
-    way.left = way.left * transmittance(scene_.materials, way.interiors, length_to(way.ray, way.hit.t));
+    if (!way.goes_on(scene_.materials, way.hit.t)) return;
     through.pass(way.hit, way.ray);
     way.interiors = through.interiors();
     way.hit = passed < most_passages ? tracer.hit(way.ray, kind) : Hit{};
@@ -40,7 +38,8 @@ Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors&
   Way way{shadow_ray, tracer.hit(shadow_ray, RayKind::shadow), interiors};
   pass(tracer, way, RayKind::shadow);
   if (!way.hit.is_miss()) return {};
-  return way.left * transmittance(scene_.materials, way.interiors, length_to(way.ray, way.ray.t_max));
+  way.goes_on(scene_.materials, way.ray.t_max);
+  return way.left;
 }
 
 }  // namespace twinray

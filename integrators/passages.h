@@ -7,6 +7,7 @@
 #include "core/interiors.h"
 #include "core/scene.h"
 #include "integrators/tracer.h"
+#include "integrators/way.h"
 
 namespace twinray {
 
@@ -19,14 +20,8 @@ class Passages {
   bool empty() const { return is_passage_.empty(); }
   bool is_one(const Hit& hit) const { return !empty() && !hit.is_miss() && is_passage_[hit.mesh]; }
 
-  /// How far light has been followed along a ray: up to t_min, behind which its hit is the first one.
-  struct Way {
-    Ray ray;
-    Hit hit;
-    Interiors interiors;  ///< At t_min.
-    Rgb left{1, 1, 1};    ///< What absorption has left of the light up to t_min.
-  };
-  /// Follows a ray of a path through all passages, to the first surface that is there or to none.
+  /// Follows a ray of a path through all passages, to the first surface that is there, or to none; to the
+  /// passage before which it is scattered, if any.
   void follow(Tracer& tracer, Way& way) const;
   /// What comes along a shadow ray that starts in these interiors.
   Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const;

@@ -11,7 +11,7 @@
 namespace twinray {
 
 /// The path tracer of PathReference, with the same bits, many paths at a time: what they do at their vertices
-/// is done in lanes, stage by stage (integrators/wave).
+/// is done in lanes, stage by stage (integrators/wave). Where a medium scatters light, path after path.
 class PathIntegrator final : public Integrator {
  public:
   /// The scene must outlive the integrator. `simd` is one of available_instruction_sets(); "scalar" traces

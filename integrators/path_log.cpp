@@ -27,12 +27,12 @@ void PathLog::added(const PathTerm& term) {
 
 void PathLog::scattered(float lobe, Vec2 u, const Scattering* next) {
   const Interaction& at = *last().surface;
-  last().scattering = {at.bsdf().sample(at.wo_local(), lobe, u), next ? std::optional(*next) : std::nullopt};
+  last().scattering = {at.sample(lobe, u), next ? std::optional(*next) : std::nullopt};
 }
 
 PathEnd PathLog::end() const {
   const PathVertex& vertex = vertices_.back();
-  if (vertex.arrival.hit.is_miss()) return PathEnd::left;
+  if (!vertex.surface) return PathEnd::left;
   if (!vertex.scattering) return PathEnd::depth;
   if (!vertex.scattering->next) return PathEnd::absorbed;
   return vertex.roulette && !vertex.roulette->is_survived() ? PathEnd::roulette : PathEnd::unlit;

@@ -19,10 +19,13 @@ struct Scattering;
 /// A ray of the path has come to its end.
 struct PathArrival {
   Ray ray;
-  Hit hit;         ///< A miss where it has left the scene.
+  Hit hit;         ///< A miss where it has left the scene, or has ended in a medium.
   Rgb throughput;  ///< Of the path, along the ray.
-  /// What bodies on the way have left of the light; the throughput is after it.
+  /// What media on the way have left of the light; the throughput is after it.
   Rgb transmittance{1, 1, 1};
+  /// Media scatter on the way: the above is over the probability that the path has come so far or, where it
+  /// was scattered, what is scattered over the density of that (integrators/flight.h).
+  bool is_flight = false;
 };
 
 /// Light that a ray of the path has found by itself.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/path_reference.h"
 
+#include <utility>
+
 #include "core/spawn_ray.h"
 #include "integrators/layer_records.h"
 #include "integrators/scattering.h"
@@ -12,7 +14,8 @@ PathReference::PathReference(const Scene& scene, const PathOptions& options)
       lights_(scene, {compensation_for(options.direct, options.samples_per_light), options.many_lights}),
       bsdfs_(scene, options.regularize ? Materials::regularized : Materials::exact),
       passages_(scene),
-      has_environment_(has_environment(scene)) {
+      has_environment_(has_environment(scene)),
+      has_scattering_medium_(has_scattering_medium(scene.materials)) {
   check(options);
 }
 
@@ -32,15 +35,14 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   Rgb radiance;
   State path{.ray = sample.ray, .cone = sample.cone};
   path.viewing.interiors = sample.interiors;
-  Hit hit = tracer.camera_hit(path.ray);
-  Rgb passed = pass_on(tracer, path, hit);
-  if (record.has(Layer::alpha)) record[Layer::alpha][0] = alpha_record(hit, has_environment_);
+  VertexSampler sampler(kind, path_key, 0);
+  End end = fly(tracer, sampler, path, tracer.camera_hit(path.ray));
+  const Hit& hit = end.hit;
+  if (record.has(Layer::alpha))
+    record[Layer::alpha][0] = alpha_record(end.is_beyond_scene(), has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
-    const Rgb left = transmittance(transport, path.viewing.interiors, path.ray, hit.t);
-    path.throughput = path.throughput * left;
-    observer.arrived({path.ray, hit, path.throughput, passed * left});
-    if (options_.counts(depth)) {
+    if (options_.counts(depth) && !end.in_medium) {
       const Arrival arrival{hit, normalize(path.ray.direction)};
       const Rgb light = depth == 0
                             ? seen_light(transport, arrival, observer, division.groups())
@@ -49,14 +51,13 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
       radiance += found.radiance();
       division.add_found(hit.is_miss(), path.first, found, depth);
     }
-    if (hit.is_miss()) return radiance;
+    if (end.is_beyond_scene()) return radiance;
 
-    const VertexSampler sampler(kind, path_key, std::uint32_t(depth) + 1);
-    const SurfacePoint point = arrive(hit, sampler, path);
-    const Interaction at(bsdfs_, point, -normalize(path.ray.direction), path.viewing);
+    sampler = VertexSampler(kind, path_key, std::uint32_t(depth) + 1);
+    const Interaction at = arrive(end, sampler, path);
     observer.stands_at(at, path.viewing.materials);
     const bool has_ended = options_.ends(depth, path.bounces);
-    if (depth == 0 || !has_ended) record_surface(at, hit, depth, path, record);
+    if (depth == 0 || !has_ended) record_vertex(at, hit, depth, path, record);
     if (has_ended) return radiance;
     if (options_.counts(depth + 1)) {
       const Rgb light = direct_light(transport, at, sampler, tracer, division.shares(at, depth));
@@ -70,27 +71,37 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     // The ray after the last surface only looks for light.
     const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
-    hit = tracer.bounce_hit(path.ray);
-    passed = pass_on(tracer, path, hit);
+    end = fly(tracer, sampler, path, tracer.bounce_hit(path.ray));
   }
 }
 
-Rgb PathReference::pass_on(Tracer& tracer, State& path, Hit& hit) const {
-  if (!passages_.is_one(hit)) return {1, 1, 1};
-  Passages::Way way{path.ray, hit, path.viewing.interiors};
-  passages_.follow(tracer, way);
-  path.ray = way.ray, hit = way.hit;
+PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampler, State& path,
+                                      const Hit& hit) const {
+  Way way{path.ray, hit, path.viewing.interiors};
+  if (has_scattering_medium_) way.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
+  if (passages_.is_one(hit)) passages_.follow(tracer, way);
+  const Rgb passed = std::exchange(way.left, {1, 1, 1});
+  if (!way.is_scattered) way.goes_on(scene_.materials, way.hit.t);
+  const Rgb left = way.weight();
+  path.ray = way.ray;
   path.viewing.interiors = way.interiors;
-  path.throughput = path.throughput * way.left;
-  return way.left;
+  path.throughput = path.throughput * passed * left;
+  End end{way.hit, {}};
+  if (way.is_scattered) {
+    end = {Hit{}, way.scattered_at()};
+    path.cone = path.cone.at(way.t_scattered() * length(way.ray.direction));
+  }
+  tracer.observer().arrived(
+      {way.ray, end.hit, path.throughput, passed * left, way.flight && way.flight->has_begun()});
+  return end;
 }
 
-void PathReference::record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
-                                   const RecordSpans& record) const {
+void PathReference::record_vertex(const Interaction& at, const Hit& hit, int depth, const State& path,
+                                  const RecordSpans& record) const {
   if (path.is_followed && record.has(Layer::albedo))
-    record[Layer::albedo][0] = albedo_record({path.throughput, path.eta_squared, at.bsdf().albedo()});
+    record[Layer::albedo][0] = albedo_record({path.throughput, path.eta_squared, at.albedo()});
   if (path.is_followed && record.has(Layer::normal)) record[Layer::normal][0] = vector_record(at.normal());
-  if (depth > 0) return;
+  if (depth > 0 || at.is_in_medium()) return;
   const FirstSurface first{hit, at.point().position, facing(at.point().geometric_normal, at.wo())};
   record_first_surface(scene_, [&](Layer layer, auto&& value) {
     if (record.has(layer)) record[layer][0] = value(first);
@@ -115,7 +126,13 @@ LightTerm PathReference::term(const Rgb& throughput, const Rgb& light, int depth
   return term;
 }
 
-SurfacePoint PathReference::arrive(const Hit& hit, const VertexSampler& sampler, State& path) const {
+Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, State& path) const {
+  const Vec3 wo = -normalize(path.ray.direction);
+  if (end.in_medium) return Interaction::in_medium(scene_, *end.in_medium, wo, path.viewing);
+  return {bsdfs_, arrive_at(end.hit, sampler, path), wo, path.viewing};
+}
+
+SurfacePoint PathReference::arrive_at(const Hit& hit, const VertexSampler& sampler, State& path) const {
   SurfacePoint point = surface_at(*scene_.geometry, hit);
   if (scene_.textures.empty()) return point;
   const Vec3& direction = path.ray.direction;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
+
 #include "core/light_set.h"
 #include "core/scene.h"
 #include "integrators/direct_light.h"
@@ -52,13 +54,23 @@ class PathReference final : public Integrator {
                  const LightGroups& groups) const;
   /// The term of the radiance that light is which was scattered `depth` times.
   LightTerm term(const Rgb& throughput, const Rgb& light, int depth, PathObserver& observer) const;
-  /// Follows the path's ray on through what is not there, and gives what absorption has left on the way.
-  Rgb pass_on(Tracer& tracer, State& path, Hit& hit) const;
-  /// Writes what is asked for of the surface that a path has come to after `depth` scattering events.
-  void record_surface(const Interaction& at, const Hit& hit, int depth, const State& path,
-                      const RecordSpans& record) const;
-  /// The surface that a path has come to, and there its cone and what textures need to know of it.
-  SurfacePoint arrive(const Hit& hit, const VertexSampler& sampler, State& path) const;
+  /// Where a ray of the path ends: at its hit, or at a point in a medium before that.
+  struct End {
+    Hit hit;
+    std::optional<Vec3> in_medium;  ///< Then the hit is a miss.
+
+    bool is_beyond_scene() const { return hit.is_miss() && !in_medium; }
+  };
+  /// Follows the path's ray from the vertex of the sampler to its end, through what is not there, and takes
+  /// from the throughput what media keep on the way.
+  End fly(Tracer& tracer, const VertexSampler& sampler, State& path, const Hit& hit) const;
+  /// Writes what is asked for of where a path has come to after `depth` scattering events.
+  void record_vertex(const Interaction& at, const Hit& hit, int depth, const State& path,
+                     const RecordSpans& record) const;
+  /// Where a path has come to.
+  Interaction arrive(const End& end, const VertexSampler& sampler, State& path) const;
+  /// Likewise a surface, and there its cone and what textures need to know of it.
+  SurfacePoint arrive_at(const Hit& hit, const VertexSampler& sampler, State& path) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
   bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,
                PathObserver& observer) const;
@@ -70,6 +82,7 @@ class PathReference final : public Integrator {
   BsdfTable bsdfs_;
   Passages passages_;
   bool has_environment_;
+  bool has_scattering_medium_;
 };
 
 }  // namespace twinray

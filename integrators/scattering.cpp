@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/scattering.h"
 
-#include <cmath>
-
 namespace twinray {
 namespace {
 
@@ -11,22 +9,22 @@ Seeking seeking_of(const Interaction& at, const BsdfSample& sample) {
   return at.is_lambert() ? Seeking::zones : Seeking::all;
 }
 
-ScatterKind kind_of(const BsdfSample& sample) {
-  if (sample.wi.z < 0) return ScatterKind::transmission;
+ScatterKind kind_of(const Interaction& at, const BsdfSample& sample) {
+  if (at.is_in_medium() || sample.wi.z < 0) return ScatterKind::transmission;
   return sample.is_diffuse ? ScatterKind::diffuse : ScatterKind::glossy;
 }
 
 }  // namespace
 
 std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u) {
-  const BsdfSample sample = at.bsdf().sample(at.wo_local(), lobe, u);
+  const BsdfSample sample = at.sample(lobe, u);
   if (sample.pdf == 0) return std::nullopt;
   const Vec3 wi = at.to_world(sample.wi);
   if (!at.is_consistent(wi)) return std::nullopt;
-  const Rgb next = throughput * sample.value * (at.kept(wi) * std::fabs(sample.wi.z) / sample.pdf);
+  const Rgb next = throughput * sample.value * (at.kept(wi) * at.cosine(sample) / sample.pdf);
   if (is_black(next)) return std::nullopt;
   const Departure departure{at.receiver(), sample.pdf, seeking_of(at, sample)};
-  return Scattering{wi, next, departure, at.interiors(wi), sample.eta, kind_of(sample)};
+  return Scattering{wi, next, departure, at.interiors(wi), sample.eta, kind_of(at, sample)};
 }
 
 }  // namespace twinray

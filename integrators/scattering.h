@@ -8,7 +8,7 @@
 namespace twinray {
 
 /// What kind of scattering it is: a diffuse or a glossy reflection, a mirror's among the latter, or the way
-/// through the surface.
+/// through the surface or a medium.
 enum class ScatterKind : std::uint32_t { diffuse, glossy, transmission };
 
 /// How a path goes on from a surface.
@@ -21,7 +21,7 @@ struct Scattering {
   ScatterKind kind = ScatterKind::diffuse;
 };
 
-/// Chooses a direction by the surface's scattering function; none where the path ends. `lobe` in [0, 1), u in
+/// Chooses a direction by the scattering function there; none where the path ends. `lobe` in [0, 1), u in
 /// [0, 1)^2.
 std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u);
 

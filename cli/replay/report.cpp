@@ -86,21 +86,30 @@ FloatJson surface_json(const Scene& scene, const PathVertex& vertex) {
       {"uv", {point.uv.x, point.uv.y}},
       {"material", material.name},
       {"model", type_of(material.model)},
-      {"albedo", json_of(at.bsdf().albedo())},
+      {"albedo", json_of(at.albedo())},
       {"is_regularized", vertex.materials == Materials::regularized}};
   if (hit.instance != no_instance) result["instance"] = hit.instance;
   return result;
 }
 
-FloatJson json_of(const LoggedScattering& scattering) {
+FloatJson medium_json(const Scene& scene, const Interaction& at) {
+  const Material& material = scene.materials[at.material()];
+  return {{"point", json_of(at.point().position)},
+          {"within", material.name},
+          {"scattering", json_of(material.interior.scattering)},
+          {"absorption", json_of(material.interior.absorption)},
+          {"anisotropy", json_of(material.interior.anisotropy)}};
+}
+
+FloatJson json_of(const Interaction& at, const LoggedScattering& scattering) {
   if (!scattering.next) return {{"goes_on", false}};
   return {{"goes_on", true},
-          {"event", event_name(*scattering.next)},
+          {"event", event_name(at, *scattering.next)},
           {"direction", json_of(scattering.next->direction)},
           {"is_delta", scattering.sample.is_delta},
           {"pdf", json_of(scattering.sample.pdf)},
           {"f", json_of(scattering.sample.value)},
-          {"cosine", json_of(std::fabs(scattering.sample.wi.z))},
+          {"cosine", json_of(at.cosine(scattering.sample))},
           {"eta", json_of(scattering.sample.eta)},
           {"throughput", json_of(scattering.next->throughput)}};
 }
@@ -123,18 +132,23 @@ FloatJson list_json(const Scene& scene, const List& list) {
 
 FloatJson json_of(const Scene& scene, const PathVertex& vertex) {
   FloatJson result{{"ray", json_of(vertex.arrival.ray)},
-                   {"is_miss", vertex.arrival.hit.is_miss()},
+                   {"is_miss", !vertex.surface.has_value()},
+                   {"is_flight", vertex.arrival.is_flight},
                    {"transmittance", json_of(vertex.arrival.transmittance)},
                    {"throughput", json_of(vertex.arrival.throughput)},
                    {"found_lights", list_json(scene, vertex.found)},
                    {"emission", json_of(vertex.emission)}};
   if (!vertex.surface) return result;
-  result["t"] = vertex.arrival.hit.t;
-  result["surface"] = surface_json(scene, vertex);
+  if (vertex.surface->is_in_medium()) {
+    result["medium"] = medium_json(scene, *vertex.surface);
+  } else {
+    result["t"] = vertex.arrival.hit.t;
+    result["surface"] = surface_json(scene, vertex);
+  }
   result["light_samples"] = list_json(scene, vertex.light_samples);
   result["directions"] = list_json(scene, vertex.directions);
   result["direct_light"] = json_of(vertex.direct_light);
-  if (vertex.scattering) result["scattering"] = json_of(*vertex.scattering);
+  if (vertex.scattering) result["scattering"] = json_of(*vertex.surface, *vertex.scattering);
   if (vertex.roulette) result["roulette"] = json_of(*vertex.roulette);
   return result;
 }

@@ -99,12 +99,14 @@ std::string direct_text(const Scene& scene, const PathVertex& vertex) {
 
 std::string scattering_text(const PathVertex& vertex) {
   if (!vertex.scattering) return "";
+  const Interaction& at = *vertex.surface;
   const auto& [sample, next] = *vertex.scattering;
   if (!next) return line("goes on", "no: nothing is scattered in the direction that was drawn");
   std::string text =
-      line("goes on", fmt::format("by {} along {}", event_name(*next), text_of(next->direction)));
+      line("goes on", fmt::format("by {} along {}", event_name(at, *next), text_of(next->direction)));
   text += line(sample.is_delta ? "probability" : "density", fmt::format("{}", sample.pdf));
-  text += line("f", text_of(sample.value) + fmt::format(", |cos| {}", std::fabs(sample.wi.z)));
+  if (!at.is_in_medium())
+    text += line("f", text_of(sample.value) + fmt::format(", |cos| {}", at.cosine(sample)));
   if (sample.eta != 1) text += line("refraction", fmt::format("relative index {}", sample.eta));
   text += line("throughput", text_of(next->throughput) + " behind it");
   if (!vertex.roulette) return text;
@@ -114,36 +116,52 @@ std::string scattering_text(const PathVertex& vertex) {
                                                             : std::string("no")));
 }
 
-std::string surface_text(const Scene& scene, const PathVertex& vertex) {
+std::string point_text(const Scene& scene, const PathVertex& vertex) {
   const Interaction& at = *vertex.surface;
   const SurfacePoint& point = at.point();
   const Material& material = scene.materials[at.material()];
   std::string text = line("point", text_of(point.position));
+  if (at.is_in_medium())
+    return text +
+           line("medium", fmt::format("within \"{}\", scattering {}, absorption {}, anisotropy {}",
+                                      material.name, text_of(material.interior.scattering),
+                                      text_of(material.interior.absorption), material.interior.anisotropy));
   text += line("geometric normal", text_of(point.geometric_normal));
   text += line("shading normal", text_of(at.normal()) + ", on the viewer's side");
   text += line("uv", fmt::format("{} {}", point.uv.x, point.uv.y));
   text += line("material", fmt::format("\"{}\", {}, albedo {}{}", material.name,
-                                       words_of(type_of(material.model)), text_of(at.bsdf().albedo()),
+                                       words_of(type_of(material.model)), text_of(at.albedo()),
                                        vertex.materials == Materials::regularized ? ", regularized" : ""));
   return text;
 }
 
 std::string vertex_text(const Scene& scene, const PathVertex& vertex, std::size_t number) {
-  const Hit& hit = vertex.arrival.hit;
+  const PathArrival& arrival = vertex.arrival;
+  const bool is_in_medium = vertex.surface && vertex.surface->is_in_medium();
   std::string text = fmt::format("\nVertex {}: ", number);
-  text += hit.is_miss() ? "none, the ray leaves the scene\n"
-                        : fmt::format("{}, at t = {}\n", shape_text(scene, hit), hit.t);
-  if (vertex.arrival.transmittance != Rgb{1, 1, 1})
-    text += line("let through", text_of(vertex.arrival.transmittance) + " by bodies on the way");
-  text += line("throughput", text_of(vertex.arrival.throughput));
-  text += emission_text(scene, vertex);
+  if (is_in_medium)
+    text += fmt::format("in a medium, {} along the way\n",
+                        length(vertex.surface->point().position - arrival.ray.origin));
+  else if (arrival.hit.is_miss())
+    text += "none, the ray leaves the scene\n";
+  else
+    text += fmt::format("{}, at t = {}\n", shape_text(scene, arrival.hit), arrival.hit.t);
+  if (arrival.transmittance != Rgb{1, 1, 1})
+    text += line(is_in_medium ? "scattered" : "let through",
+                 text_of(arrival.transmittance) + " by bodies on the way" +
+                     (is_in_medium        ? ", over the density of this point"
+                      : arrival.is_flight ? ", over the probability that they scatter nothing"
+                                          : ""));
+  text += line("throughput", text_of(arrival.throughput));
+  if (!is_in_medium) text += emission_text(scene, vertex);
   if (!vertex.surface) return text;
-  return text + surface_text(scene, vertex) + direct_text(scene, vertex) + scattering_text(vertex);
+  return text + point_text(scene, vertex) + direct_text(scene, vertex) + scattering_text(vertex);
 }
 
 }  // namespace
 
-std::string event_name(const Scattering& next) {
+std::string event_name(const Interaction& at, const Scattering& next) {
+  if (at.is_in_medium()) return "scattering in a medium";
   const bool is_delta = next.departure.seeking == Seeking::alone;
   if (next.kind == ScatterKind::transmission) return is_delta ? "smooth transmission" : "rough transmission";
   if (is_delta) return "mirror reflection";

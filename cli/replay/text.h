@@ -7,8 +7,8 @@
 namespace twinray {
 
 /// "diffuse reflection", "glossy reflection", "mirror reflection", "rough transmission", "smooth
-/// transmission": the last and the mirror's in one direction alone.
-std::string event_name(const Scattering& next);
+/// transmission": the last and the mirror's in one direction alone; or "scattering in a medium".
+std::string event_name(const Interaction& at, const Scattering& next);
 /// Why the path has no further vertex, as a clause: "the ray leaves the scene".
 std::string end_text(PathEnd end);
 

@@ -11,7 +11,7 @@ void PathWave::record_coverage() {
   const std::span<Rgb> alpha = records_[Layer::alpha];
   if (alpha.empty()) return;
   for (std::size_t i = 0; i < paths_.size; ++i)
-    alpha[paths_.sample[i]] = alpha_record(wave_.hits[i], context_.has_environment);
+    alpha[paths_.sample[i]] = alpha_record(wave_.hits[i].is_miss(), context_.has_environment);
 }
 
 void PathWave::record_surfaces() {

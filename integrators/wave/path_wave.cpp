@@ -85,7 +85,7 @@ void PathWave::pass_on() {
   const Passages& passages = *context_.transport.passages;
   for (std::size_t i = 0; i < paths_.size; ++i) {
     if (!passages.is_one(wave_.hits[i])) continue;
-    Passages::Way way{wave_.rays[i], wave_.hits[i], paths_.interiors_at(i)};
+    Way way{wave_.rays[i], wave_.hits[i], paths_.interiors_at(i)};
     passages.follow(tracer_, way);
     wave_.rays[i] = way.ray, wave_.hits[i] = way.hit;
     paths_.interiors.set(i, way.interiors.bits());
@@ -399,7 +399,7 @@ void PathWave::add_hemisphere() {
 Rgb PathWave::found_around(std::size_t k) {
   if (!context_.has_interiors && !context_.transport.passages)
     return lamp_radiance(context_.transport, connections_.hits[k], connections_.rays[k].direction);
-  Passages::Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
+  Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
   if (context_.transport.passages) context_.transport.passages->follow(tracer_, way);
   connections_.hits[k] = way.hit;
   connections_.passed[k] = way.left * transmittance(context_.transport, way.interiors, way.ray, way.hit.t);

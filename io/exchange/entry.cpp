@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/phase_function.h"
 
 namespace twinray {
 namespace {
@@ -34,6 +35,8 @@ Bounds bounds_of(Valid valid) {
       return {0, 1000, "from 0 to 1000 micrometers"};
     case Valid::film_ior:
       return {1, 100, "from 1 to 100"};
+    case Valid::anisotropy:
+      return {-PhaseFunction::most_anisotropy, PhaseFunction::most_anisotropy, "from -0.99 to 0.99"};
     case Valid::any:
       break;
   }

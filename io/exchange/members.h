@@ -11,7 +11,7 @@
 namespace twinray {
 
 /// The numbers that a member may have; those of colours, each of the three. All are finite.
-enum class Valid { any, not_negative, positive, at_least_one, part, film_thickness, film_ior };
+enum class Valid { any, not_negative, positive, at_least_one, part, film_thickness, film_ior, anisotropy };
 
 // The types of textures,
 inline const char* type_name(const ConstantTexture&) { return "constant"; }
@@ -239,6 +239,8 @@ void members(const Visit& visit, Interior& interior) {
   visit("absorption", interior.absorption, Valid::not_negative);
   visit("priority", interior.priority);
   visit.later("is_clear", interior.is_clear);
+  visit.later("scattering", interior.scattering, Valid::not_negative);
+  visit.later("anisotropy", interior.anisotropy, Valid::anisotropy);
 }
 
 template <typename Visit>

@@ -63,6 +63,7 @@ class SceneReader {
       check_version(file);
       loaded_.scene.textures = read_textures(file, path_, options_, warnings_);
       read_materials(file);
+      if (file.has("atmosphere")) loaded_.scene.atmosphere = file.index("atmosphere");
       if (options_.surfaces_only)
         file.has("lights");  // A known key, though nothing of it is read.
       else

@@ -209,6 +209,7 @@ int version_of(const Scene& scene) {
 std::string exchange_json(const Scene& scene, const std::string& path, const ExchangePicture& picture) {
   const Camera camera = fit_frame(scene.camera, picture.width, picture.height);
   const bool has_instances = scene.geometry->has_instances(), has_textures = !scene.textures.empty();
+  const bool has_atmosphere = scene.atmosphere != no_material;
   const auto list = [](const char* key, const Json& json) {
     return fmt::format(",\n  \"{}\": {}", key, lines(json));
   };
@@ -216,8 +217,9 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
                      version_of(scene), picture.width, picture.height) +
          render_text(picture) + "  \"camera\": " + line(camera_json(camera)) +
          (has_textures ? list("textures", textures_json(scene, path)) : "") +
-         list("materials", materials_json(scene)) + list("lights", lights_json(scene, path)) +
-         list("shapes", shapes_json(scene, path)) +
+         list("materials", materials_json(scene)) +
+         (has_atmosphere ? fmt::format(",\n  \"atmosphere\": {}", scene.atmosphere) : "") +
+         list("lights", lights_json(scene, path)) + list("shapes", shapes_json(scene, path)) +
          (has_instances ? list("instances", instances_json(scene)) : "") + "\n}\n";
 }
 

@@ -199,6 +199,8 @@ WrittenScene written_gltf(const SceneToWrite& input, const std::string& path) {
   add_gltf_camera(input, file);
   add_gltf_lights(*scene, file);
   Shapes(*scene, file).add();
+  if (scene->atmosphere != no_material)
+    output.losses.add("what fills the space around the camera is left out");
   WrittenScene written = file.finish();
   written.scene = scene;
   return written;

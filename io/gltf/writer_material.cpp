@@ -249,6 +249,9 @@ class Properties {
     if (made_.material.interior.priority != 0)
       file_.output.losses.add("the priority of a body that overlaps others is left out",
                               "the priorities of {} materials of bodies that overlap are left out");
+    if (!is_black(made_.material.interior.scattering))
+      file_.output.losses.add("what a body scatters within is left out",
+                              "what {} materials' bodies scatter within is left out");
     if (most == 0) return;
     // The color after the way at which the strongest channel is down to 1/e.
     constexpr float log2_e = 1.442695f;

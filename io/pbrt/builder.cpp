@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "core/alpha_test.h"
 
@@ -91,7 +91,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   state.space.transform,
                   state.is_reversed && !is_turned,
                   state.material,
-                  may_absorb(within) || may_absorb(without),
+                  may_dim(within) || may_dim(without),
                   within,
                   is_dark ? nullptr : state.area_light,
                   alpha,
@@ -190,27 +190,42 @@ std::uint32_t PbrtBuilder::add_shape_light(const std::string& name, const MeshLi
   return std::uint32_t(shape_lights_.size() - 1);
 }
 
-void PbrtBuilder::fill_interiors() {
+std::uint32_t PbrtBuilder::add_filled(std::uint32_t material, const Interior& filling) {
   std::vector<Material>& materials = materials_.materials;
-  std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> filled;
+  materials.push_back(materials[material]);
+  Interior& interior = materials.back().interior;
+  const bool is_clear = filling == Interior{};
+  if (!is_clear) {
+    const std::int32_t priority = interior.priority;
+    interior = filling;
+    interior.priority = priority;
+  }
+  interior.is_clear = is_black(interior.extinction());
+  return std::uint32_t(materials.size() - 1);
+}
+
+void PbrtBuilder::fill_interiors() {
+  std::map<std::pair<std::uint32_t, PbrtMediumPointer>, std::uint32_t> filled;
   for (const auto& [shape, filling] : placed_.fillings) {
-    const auto& [medium, place] = filling;
-    const Rgb absorption = absorption_of(medium);
+    const Interior interior = filling_of(filling.medium);
     std::uint32_t& material = placed_.bindings[shape].material;
-    if (is_no_body(materials[material].model) && !is_black(absorption))
-      place.warn(context_.warnings,
-                 "a medium is rendered within a dielectric or an interface alone, not here");
-    if (!lets_light_in(materials[material])) continue;
-    const auto key = std::tuple(material, absorption.r, absorption.g, absorption.b);
-    const auto [entry, is_new] = filled.try_emplace(key, std::uint32_t(materials.size()));
-    if (is_new) {
-      materials.push_back(materials[material]);
-      Interior& interior = materials.back().interior;
-      if (!is_black(absorption)) interior.absorption = absorption;
-      interior.is_clear = is_black(interior.absorption);
-    }
+    const Material& surface = materials_.materials[material];
+    if (is_no_body(surface.model) && interior != Interior{})
+      filling.place.warn(context_.warnings,
+                         "a medium is rendered within a dielectric or an interface alone, not here");
+    if (!lets_light_in(surface)) continue;
+    const auto [entry, is_new] = filled.try_emplace({material, filling.medium}, 0);
+    if (is_new) entry->second = add_filled(material, interior);
     material = entry->second;
   }
+}
+
+std::uint32_t PbrtBuilder::add_atmosphere() {
+  const Interior filling = filling_of(around_camera_);
+  if (filling == Interior{}) return no_material;
+  materials_.materials.push_back(
+      {.name = "what is around the camera", .model = Interface{}, .interior = filling});
+  return std::uint32_t(materials_.materials.size() - 1);
 }
 
 void PbrtBuilder::add_glow() {
@@ -296,6 +311,7 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   Instancing instancing = place_objects();
   fill_interiors();
   add_glow();
+  const std::uint32_t atmosphere = add_atmosphere();
   LoadedScene loaded;
   Scene& scene = loaded.scene;
   scene.lights = std::move(shape_lights_);
@@ -305,6 +321,7 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   if (exposure != 1)
     context_.notes.push_back(fmt::format(
         "all light of the file is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
+  scene.atmosphere = atmosphere;
   scene.bindings = std::move(placed_.bindings);
   scene.assets = std::move(assets_);
   scene.materials = std::move(materials_.materials);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/loaded_scene.h"
@@ -22,6 +23,8 @@ class PbrtBuilder {
 
   PbrtMaterials& materials() { return materials_; }
   PbrtMedia& media() { return media_; }
+  /// What a camera is in that stands in no shape.
+  void surround_camera(PbrtMediumPointer medium) { around_camera_ = std::move(medium); }
 
   void add_shape(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
   void add_light(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
@@ -96,12 +99,17 @@ class PbrtBuilder {
   std::uint32_t add_shape_light(const std::string& name, const MeshLight& light);
   /// Gives shapes with something in them materials of their own.
   void fill_interiors();
+  /// A material with that in it in place of its own; a clear filling leaves its own.
+  std::uint32_t add_filled(std::uint32_t material, const Interior& filling);
+  /// What fills the space around the camera, as a material; no_material where nothing does.
+  std::uint32_t add_atmosphere();
   /// Makes lights of shapes whose materials emit by themselves.
   void add_glow();
 
   PbrtContext& context_;
   PbrtMaterials materials_;
   PbrtMedia media_;
+  PbrtMediumPointer around_camera_;
   Placed placed_;             ///< All that stands in the scene directly and, at the end, what instances show.
   std::vector<Part> passed_;  ///< Those that stand in it last.
   std::vector<Light> shape_lights_, lights_;

@@ -12,6 +12,7 @@
 #include "core/elementary.h"
 #include "core/microfacet.h"
 #include "core/nested_mixes.h"
+#include "core/phase_function.h"
 #include "core/radiance.h"
 #include "core/textured_material.h"
 #include "io/pbrt/spectrum.h"
@@ -270,14 +271,20 @@ SurfaceModel read_principled(const Inputs& in) {
   return model;
 }
 
-/// What a clear surface of a colour and a depth absorbs within, per unit of length.
-Rgb absorption_within(const Principled& model) {
+/// What a clear surface of a colour and a depth absorbs and scatters within. Where more is scattered than the
+/// colour says to be lost, all channels absorb more, so that none absorbs less than nothing: as OpenPBR has
+/// it.
+Interior filling_within(const Principled& model, const Inputs& in) {
+  constexpr float least = 1e-4f, most = PhaseFunction::most_anisotropy;
+  const Rgb scatter = in.color("transmission_scatter", {}), color = model.transmission_color;
+  const float anisotropy = in.parameters.real("transmission_scatter_anisotropy", 0, {-1, 1});
   if (model.transmission_depth == 0) return {};
-  constexpr float least = 1e-4f;
-  const auto channel = [&](float c) { return -log_of(std::max(c, least)) / model.transmission_depth; };
-  const Rgb& color = model.transmission_color;
-  return {std::max(0.0f, channel(color.r)), std::max(0.0f, channel(color.g)),
-          std::max(0.0f, channel(color.b))};
+  const auto channel = [&](float c) { return std::max(0.0f, -log_of(std::max(c, least))); };
+  const Rgb lost = Rgb{channel(color.r), channel(color.g), channel(color.b)} - scatter;
+  const float short_of = std::max(0.0f, -std::min({lost.r, lost.g, lost.b}));
+  return {.absorption = (lost + Rgb{short_of, short_of, short_of}) / model.transmission_depth,
+          .scattering = scatter / model.transmission_depth,
+          .anisotropy = std::clamp(anisotropy, -most, most)};
 }
 
 SurfaceModel instead(const Inputs& in, const char* what, const char* shown, const SurfaceModel& model) {
@@ -409,9 +416,9 @@ void PbrtMaterials::make(std::uint32_t index, const std::string& type, const Pbr
     materials[index].model = read_model(type, in);
   materials[index].textures = std::move(uses);
   if (lets_light_in(materials[index])) {
-    materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
     if (const auto* model = std::get_if<Principled>(&materials[index].model))
-      materials[index].interior.absorption = absorption_within(*model);
+      materials[index].interior = filling_within(*model, in);
+    materials[index].interior.priority = parameters.integer("priority", 0, {0, 1e6});
   }
   materials[index].normal_map = textures.normal_map(parameters);
   materials[index].bump_map = textures.bump_map(parameters);

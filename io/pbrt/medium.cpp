@@ -3,35 +3,52 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
+#include "core/phase_function.h"
+#include "io/pbrt/measured_media.h"
 #include "io/pbrt/spectrum.h"
 
 namespace twinray {
 namespace {
 
-/// Of a medium that says nothing, per millimeter, as pbrt has them.
-constexpr Rgb default_absorption{0.0011f, 0.0024f, 0.014f}, default_scattering{2.55f, 3.21f, 3.77f};
+/// pbrt's preset, if one is named that there is.
+const MeasuredMedium* preset_of(const PbrtParameters& parameters, PbrtContext& context) {
+  const PbrtParameter* const named = parameters.find("preset");
+  const std::string preset = parameters.text("preset", "");
+  if (preset.empty()) return nullptr;
+  const MeasuredMedium* const known = measured_medium(preset);
+  if (!known) {
+    const std::string nearest = nearest_name(preset, measured_media());
+    named->place.warn(
+        context.warnings,
+        fmt::format("there is no measured medium \"{}\": its coefficients are those of the "
+                    "statement{}",
+                    preset, nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest name", nearest)));
+  }
+  return known;
+}
 
-Rgb read_homogeneous(const PbrtParameters& parameters, PbrtContext& context) {
-  if (const PbrtParameter* preset = parameters.find("preset"))
-    preset->place.warn(context.warnings, "measured media are not known here: this one is taken as clear");
-  const bool is_measured = parameters.find("preset") != nullptr;
-  parameters.find("g");
+Interior read_homogeneous(const PbrtParameters& parameters, PbrtContext& context) {
+  const MeasuredMedium* const preset = preset_of(parameters, context);
+  const auto coefficient = [&](const char* name) {
+    return color_of(parameters, name, {1, 1, 1}, ColorRole::unbounded, context.files);
+  };
+  const Rgb absorption = coefficient("sigma_a"), scattering = coefficient("sigma_s");
   const float scale = parameters.real("scale", 1, {0, 1e9});
-  const Rgb absorption = scale * color_of(parameters, "sigma_a", is_measured ? Rgb{} : default_absorption,
-                                          ColorRole::unbounded, context.files);
-  const Rgb scattering = scale * color_of(parameters, "sigma_s", is_measured ? Rgb{} : default_scattering,
-                                          ColorRole::unbounded, context.files);
-  if (!is_finite(absorption)) parameters.place().fail("this medium absorbs more than a number can say");
-  if (!is_black(scattering))
-    parameters.place().warn(context.warnings,
-                            "what this medium scatters is not rendered, only what it absorbs");
+  Interior interior{.absorption = scale * (preset ? preset->absorption : absorption),
+                    .scattering = scale * (preset ? preset->scattering : scattering)};
+  if (!is_finite(interior.extinction()))
+    parameters.place().fail("this medium absorbs or scatters more than a number can say");
+  // pbrt takes what is beyond as the nearest one, too.
+  constexpr float most = PhaseFunction::most_anisotropy;
+  interior.anisotropy = std::clamp(parameters.real("g", 0, {-1, 1}), -most, most);
   if (!is_black(color_of(parameters, "Le", {}, ColorRole::light, context.files)))
     parameters.place().warn(context.warnings, "light of media is not rendered");
   parameters.find("Lescale");
-  return absorption;
+  return interior;
 }
 
 }  // namespace
@@ -41,10 +58,9 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
   if (type.empty()) parameters.place().fail("MakeNamedMedium needs the kind of medium, \"string type\"");
   std::shared_ptr<PbrtMedium>& medium = media_[name];
   if (!medium) medium = std::make_shared<PbrtMedium>();
-  if (medium->absorption)
-    parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
+  if (medium->filling) parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
   if (type == "homogeneous") {
-    medium->absorption = read_homogeneous(parameters, context_);
+    medium->filling = read_homogeneous(parameters, context_);
     return parameters.warn_of_unused(context_.warnings);
   }
   constexpr std::string_view uneven[] = {"uniformgrid", "rgbgrid", "cloud", "nanovdb"};
@@ -52,7 +68,7 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
     if (type == each) {
       parameters.place().warn(context_.warnings,
                               fmt::format("a medium of the kind \"{}\" is not rendered: it is clear", type));
-      medium->absorption = Rgb{};
+      medium->filling = Interior{};
       return;
     }
   parameters.place().fail(fmt::format(
@@ -69,9 +85,9 @@ PbrtMediumPointer PbrtMedia::named(const std::string& name, const PbrtPlace& pla
 void PbrtMedia::check_all_made() const {
   std::vector<std::string_view> made;
   for (const auto& [name, medium] : media_)
-    if (medium->absorption) made.push_back(name);
+    if (medium->filling) made.push_back(name);
   for (const auto& [name, medium] : media_) {
-    if (medium->absorption) continue;
+    if (medium->filling) continue;
     const std::string nearest = nearest_name(name, made);
     medium->first_use.fail(
         fmt::format("no MakeNamedMedium makes \"{}\"{}", name,

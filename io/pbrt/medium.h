@@ -5,28 +5,28 @@
 #include <optional>
 #include <string>
 
-#include "core/rgb.h"
+#include "core/material.h"
 #include "io/pbrt/context.h"
 #include "io/pbrt/parameters.h"
 
 namespace twinray {
 
-/// What fills space between surfaces, of which light is absorbed alone. A statement may name it before
-/// another one makes it.
+/// What fills space between surfaces. A statement may name it before another one makes it.
 struct PbrtMedium {
-  std::optional<Rgb> absorption;  ///< Per unit of length; nothing until it is made.
+  std::optional<Interior> filling;  ///< Nothing until it is made.
   PbrtPlace first_use;
 };
 /// Null: nothing fills the space.
 using PbrtMediumPointer = std::shared_ptr<const PbrtMedium>;
 
-/// Whether it absorbs, or may do so once it is made.
-inline bool may_absorb(const PbrtMediumPointer& medium) {
-  return medium && !(medium->absorption && is_black(*medium->absorption));
+/// Whether it absorbs or scatters light, or may do so once it is made.
+inline bool may_dim(const PbrtMediumPointer& medium) {
+  return medium && !(medium->filling && is_black(medium->filling->extinction()));
 }
-/// Once all are made.
-inline Rgb absorption_of(const PbrtMediumPointer& medium) {
-  return medium ? medium->absorption.value() : Rgb{};
+/// Once all are made; what does neither is nothing.
+inline Interior filling_of(const PbrtMediumPointer& medium) {
+  const bool is_clear = !medium || is_black(medium->filling.value().extinction());
+  return is_clear ? Interior{} : *medium->filling;
 }
 
 class PbrtMedia {

@@ -126,9 +126,7 @@ class Reader {
     const PbrtParameters& parameters = statement.parameters;
     switch (statement.directive) {
       case camera:
-        if (may_absorb(states_.now().medium_outside))
-          statement.place.warn(context_.warnings,
-                               "the camera is within the media of the shapes around it alone");
+        builder_.surround_camera(states_.now().medium_outside);
         camera_ = read_camera(statement.words[0], parameters, context_);
         states_.open_shutter(camera_.shutter.open);
         camera_.to_world = states_.camera_transform();

@@ -125,8 +125,8 @@ WrittenScene written_pbrt(const SceneToWrite& input, const std::string& path) {
   const PbrtMaterialTexts materials = pbrt_materials(*scene, textures, output);
   const std::string lights = pbrt_lights(*scene, output);
   const std::string shapes = Shapes(*scene, materials, textures, output).text();
-  WrittenScene written =
-      output.finish(view + "WorldBegin\n" + textures.text + materials.text + lights + shapes);
+  WrittenScene written = output.finish(materials.view + view + "WorldBegin\n" + textures.text +
+                                       materials.text + lights + shapes);
   written.scene = scene;
   return written;
 }

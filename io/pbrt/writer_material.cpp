@@ -172,27 +172,40 @@ class Parameters {
 
 std::string medium_name(const std::string& material) { return "within " + material; }
 
-/// What absorbs within a material's shapes.
+std::string medium_text(const std::string& name, const Interior& interior) {
+  return fmt::format("MakeNamedMedium {}{}{}{}{}\n", pbrt_string(name), pbrt_word("type", "homogeneous"),
+                     pbrt_rgb("sigma_a", interior.absorption), pbrt_rgb("sigma_s", interior.scattering),
+                     interior.anisotropy != 0 ? pbrt_real("g", interior.anisotropy) : "");
+}
+
+/// The media inside and outside of shapes.
+std::string between(const std::string& inside, const std::string& outside) {
+  return fmt::format("MediumInterface {} {}\n", pbrt_string(inside), pbrt_string(outside));
+}
+
+/// What fills a material's shapes.
 void add_interior(const Material& material, std::size_t index, PbrtMaterialTexts& made, Losses& losses) {
   if (material.interior.priority != 0)
     losses.add("the priority of a body that overlaps others is left out",
                "the priorities of {} materials of bodies that overlap are left out");
-  if (is_black(material.interior.absorption) || !lets_light_in(material)) return;
+  if (is_black(material.interior.extinction()) || !lets_light_in(material)) return;
   const std::string name = medium_name(made.names[index]);
-  made.text += fmt::format("MakeNamedMedium {}{}{}{}\n", pbrt_string(name), pbrt_word("type", "homogeneous"),
-                           pbrt_rgb("sigma_a", material.interior.absorption), pbrt_rgb("sigma_s", {}));
-  made.interior[index] = fmt::format("MediumInterface {} \"\"\n", pbrt_string(name));
+  made.text += medium_text(name, material.interior);
+  made.interior[index] = between(name, made.atmosphere);
 }
 
-/// What is clear within something that absorbs is parted from it: pbrt asks what a ray comes out into.
+/// What is clear within something that is not is parted from it: pbrt asks what a ray comes out into.
 void add_clear_interiors(const Scene& scene, PbrtMaterialTexts& made) {
-  const auto around = std::find_if(made.interior.begin(), made.interior.end(),
-                                   [](const std::string& text) { return !text.empty(); });
-  if (around == made.interior.end()) return;
-  const std::string outside = made.names[std::size_t(around - made.interior.begin())];
+  std::string outside = made.atmosphere;
+  if (outside.empty()) {
+    const auto around = std::find_if(made.interior.begin(), made.interior.end(),
+                                     [](const std::string& text) { return !text.empty(); });
+    if (around == made.interior.end()) return;
+    outside = medium_name(made.names[std::size_t(around - made.interior.begin())]);
+  }
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
     if (scene.materials[i].interior.is_clear && !made.names[i].empty())
-      made.interior[i] = fmt::format("MediumInterface \"\" {}\n", pbrt_string(medium_name(outside)));
+      made.interior[i] = between("", outside);
 }
 
 /// Those of shapes, and those that mixtures of them are made of.
@@ -211,6 +224,11 @@ PbrtMaterialTexts pbrt_materials(const Scene& scene, PbrtTextureWriter& textures
   PbrtMaterialTexts made;
   made.names.resize(scene.materials.size());
   made.interior.resize(scene.materials.size());
+  if (scene.atmosphere != no_material) {
+    made.atmosphere = "around all shapes";
+    made.view = medium_text(made.atmosphere, scene.materials[scene.atmosphere].interior) +
+                between(made.atmosphere, made.atmosphere);
+  }
   UniqueNames names;
   const std::vector<bool> used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {

@@ -123,6 +123,38 @@ TEST_CASE("a replay says what bodies on the way let through, with a boundary tha
   check_left(inside[1]["transmittance"]);
 }
 
+TEST_CASE("a replay says where a medium has scattered the path") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt"), replay = folder.file("a.json");
+  write_text(
+      scene,
+      "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" \"float g\" 0.5 \"rgb sigma_a\" [ 0 0.5 0 ] "
+      "\"rgb sigma_s\" [ 9 8.5 9 ] LookAt 0 0 9  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 0.001 "
+      "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 6 WorldBegin "
+      "LightSource \"point\" \"point3 from\" [ 0 9 9 ] MediumInterface \"milk\" \"\" "
+      "Material \"interface\" Shape \"sphere\"");
+  const ProcessResult result =
+      run_program(quoted(scene) + " -m 3 -s 1 --replay 2 2 0 --replay-json " + quoted(replay));
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "Vertex 1: in a medium, "));
+  CHECK(contains(result.out, " by bodies on the way, over the density of this point\n"));
+  CHECK(contains(result.out, "scattering 9 8.5 9, absorption 0 0.5 0, anisotropy 0.5\n"));
+  CHECK(contains(result.out, "goes on          by scattering in a medium along "));
+  CHECK_FALSE(contains(result.out, "|cos|"));
+  const json vertices = json::parse(read_text(replay))["vertices"];
+  const json first = vertices[0];
+  CHECK_FALSE(first["is_miss"]);
+  CHECK(first["is_flight"]);
+  CHECK_FALSE(first.contains("surface"));
+  CHECK(first["medium"]["anisotropy"] == 0.5);
+  CHECK(float(first["medium"]["point"][2]) < 1);
+  CHECK(float(first["medium"]["point"][2]) > -1);
+  // All channels lose the same, of which green absorbs 1 part in 18.
+  CHECK(float(first["transmittance"][0]) == Approx(1).epsilon(1e-5));
+  CHECK(float(first["transmittance"][1]) == Approx(8.5 / 9).epsilon(1e-5));
+  CHECK(first["scattering"]["cosine"] == 1);
+}
+
 TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
   const TemporaryFolder folder;
   const std::string obj = folder.file("a.obj"), text = folder.file("a.json");

@@ -134,9 +134,29 @@ TEST_CASE("what is clear is remembered where anything absorbs light or has a pri
     return materials[0].interior.is_clear;
   };
   CHECK(is_remembered(glass(1.5f, 0, {0, 0.1f, 0})));
+  CHECK(is_remembered({"milk", Dielectric{}, {}, {.scattering = {0, 0, 1}}}));
   CHECK(is_remembered(glass(1.5f, 1)));
   CHECK_FALSE(is_remembered(clear));
   CHECK_FALSE(is_remembered({"chalk"}));
+}
+
+TEST_CASE("a medium that scatters dims what goes straight on, and is found where it is") {
+  std::vector<Material> materials{glass(1.5f, 0, {1, 0, 0.5f}), glass(1.5f, 1)};
+  Interiors inside;
+  CHECK(scattering_medium(materials, inside) == nullptr);
+  inside.enter(0);
+  CHECK(scattering_medium(materials, inside) == nullptr);
+  CHECK_FALSE(has_scattering_medium(materials));
+  materials[0].interior.scattering = {1, 3, 0};
+  CHECK(has_scattering_medium(materials));
+  CHECK(scattering_medium(materials, inside) == &materials[0]);
+  const Rgb left = transmittance(materials, inside, 0.5f);
+  CHECK(left.r == Approx(std::exp(-1.0)));
+  CHECK(left.g == Approx(std::exp(-1.5)));
+  CHECK(left.b == Approx(std::exp(-0.25)));
+  // Something of a higher priority is there instead.
+  inside.enter(1);
+  CHECK(scattering_medium(materials, inside) == nullptr);
 }
 
 TEST_CASE("interiors that cannot be are refused") {
@@ -155,6 +175,13 @@ TEST_CASE("interiors that cannot be are refused") {
   CHECK(error_of(glass(1.5f, 0, {0, -1, 0})) ==
         "material 0 has an absorption of 0 -1 0; each must be finite and >= 0");
   CHECK(error_of(glass(1.5f, 0, {NAN, 0, 0})).find("must be finite") != std::string::npos);
+  const auto filled = [](const Interior& interior) { return Material{"milk", Dielectric{}, {}, interior}; };
+  CHECK(error_of(filled({.scattering = {1, 2, 3}, .anisotropy = -0.99f})).empty());
+  CHECK(error_of(filled({.scattering = {0, 0, -1}})) ==
+        "material 0 has a scattering of 0 0 -1; each must be finite and >= 0");
+  CHECK(error_of(filled({.scattering = {0, INFINITY, 0}})).find("must be finite") != std::string::npos);
+  CHECK(error_of(filled({.anisotropy = 1})) == "material 0 has an anisotropy of 1; valid are -0.99 to 0.99");
+  CHECK(error_of(filled({.anisotropy = NAN})).find("anisotropy") != std::string::npos);
   // A texture may say that what is metal by its number is none.
   Material metal{"metal", Principled{.base_metalness = 1, .transmission_weight = 1}};
   metal.interior.priority = 1;

@@ -188,6 +188,23 @@ TEST_CASE("a patch that faces away is chosen seldom, and no point much too seldo
   CHECK(away < 1000);  // 5/6 by area.
 }
 
+TEST_CASE("a point in a medium sees patches on all sides of it alike") {
+  // Squares that face it, above it and below.
+  Mesh both = floor_square(1, -2);
+  const auto corners = std::uint32_t(both.positions.size());
+  for (const Vec3& p : floor_square(1, 2).positions) both.positions.push_back(p);
+  for (const Triangle& t : floor_square(1, 2).triangles)
+    both.triangles.push_back({t.a + corners, t.c + corners, t.b + corners});
+  const PatchLight light = light_of(both, EmissionSide::front);
+  REQUIRE(light.patches.size() == 2);
+  const auto density_of = [&](std::uint32_t triangle, const Vec3& from) {
+    return PatchWeights(light, Receiver{from, {}, true}).density(triangle, 0.2f, 0.3f);
+  };
+  CHECK(density_of(0, {}) == Approx(1).epsilon(0.1));
+  CHECK(density_of(2, {}) == Approx(1).epsilon(0.1));
+  CHECK(density_of(2, {0, 1, 0}) > 3 * density_of(0, {0, 1, 0}));
+}
+
 TEST_CASE("a light is sampled by area where its corners tell nothing") {
   const Mesh square = floor_square(1, 1);
   const PatchLight light = light_of(square);

@@ -150,6 +150,14 @@ TEST_CASE("a lamp behind a surface is chosen where that lets light through, and 
   CHECK(tree.probability(1, glass) == Approx(0.5));
 }
 
+TEST_CASE("a point in a medium is lit by lamps on all sides of it alike") {
+  const std::vector<LightBounds> lamps{lamp({0, 5, 0}, 0.1f, 1, {}), lamp({0, 0, -5}, 0.1f, 1, {})};
+  const LightTree tree(lamps);
+  CHECK(tree.probability(0, Receiver{{}, {}, true}) == Approx(0.5));
+  CHECK(tree.probability(1, Receiver{{}, {}, true}) == Approx(0.5));
+  CHECK(tree.probability(1, Receiver{{0, 0, -3}, {}, true}) > 0.9f);
+}
+
 TEST_CASE("a lamp is found from where the middle of those beside it cannot be seen") {
   // Stairs of lamps that all face up: a receiver over a lower one lies below the middle of them all.
   std::vector<LightBounds> lamps;

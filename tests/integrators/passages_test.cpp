@@ -39,21 +39,21 @@ TEST_CASE("a ray that passes interfaces stays the same ray, and begins behind th
   const Passages passages(scene);
   const auto followed = [&](float t_max) {
     Ray ray{.origin = {0, 0, 3}, .direction = {0, 0, -1}, .t_max = t_max};
-    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
+    Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
     passages.follow(tracer, way);
     CHECK(way.hit.is_miss());
     return way;
   };
   // It ends within the inner ball, or before any.
-  const Passages::Way within = followed(3);
+  const Way within = followed(3);
   CHECK(within.ray.t_max == 3);
   CHECK(within.ray.t_min == Approx(2.5));
   CHECK(within.interiors.prevailing(scene.materials) == 1);
   CHECK(luminance(within.left) == Approx(left_of(0.5)));
-  const Passages::Way before = followed(1.5f);
+  const Way before = followed(1.5f);
   CHECK(before.ray.t_max == 1.5f);
   CHECK(before.ray.t_min == 0);
-  const Passages::Way all = followed(std::numeric_limits<float>::infinity());
+  const Way all = followed(std::numeric_limits<float>::infinity());
   CHECK(all.interiors.empty());
   CHECK(all.ray.t_min == Approx(4));
   CHECK(luminance(all.left) == Approx(left_of(1)));
@@ -75,7 +75,7 @@ TEST_CASE("an interface hides nothing that lies just behind it") {
   const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
   Tracer tracer(*engine, false);
   const Ray ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}};
-  Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
+  Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
   REQUIRE(way.hit.mesh == 0);
   Passages(scene).follow(tracer, way);
   CHECK(way.hit.mesh == 1);
@@ -143,7 +143,7 @@ TEST_CASE("a ray that goes through an edge of a body goes in and out once") {
     const Vec3 on_edge = (inner.positions[triangle[0]] + inner.positions[triangle[1]]) * 0.5f;
     const Vec3 origin = on_edge + (on_edge - center) * 2 + random.in_ball() * 0.3f;
     const Ray ray{.origin = origin, .direction = on_edge - origin};
-    Passages::Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
+    Way way{ray, tracer.hit(ray, RayKind::bounce), {}};
     const std::uint64_t before = tracer.counts().bounce;
     passages.follow(tracer, way);
     more_hits += tracer.counts().bounce - before > 4;

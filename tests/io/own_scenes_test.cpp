@@ -175,6 +175,16 @@ TEST_CASE("layers.pbrt shows seven surfaces of OpenPBR, and smoke, tea and amber
   CHECK(nested == 4);
 }
 
+TEST_CASE("haze.pbrt shows a cloud and jade, in air that scatters light") {
+  const LoadedScene loaded = load("haze.pbrt");
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.atmosphere < loaded.scene.materials.size());
+  int scattering = 0;
+  for (const Material& material : loaded.scene.materials)
+    scattering += !is_black(material.interior.scattering);
+  CHECK(scattering == 3);
+}
+
 TEST_CASE("films.pbrt shows films of six thicknesses on steel, on enamel, and alone") {
   const LoadedScene loaded = load("films.pbrt");
   CHECK(loaded.warnings.empty());

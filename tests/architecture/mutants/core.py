@@ -300,7 +300,7 @@ MUTANTS = [
            "return {width + spread * distance, spread};", "return {width + spread, spread};",
            "test_integrators", "a texture in a mirror is seen at the level of the whole way to it"),
     Mutant("a cone forgets the way before its last surface", "integrators/path_reference.cpp",
-           "path.cone = path.cone.at(", "path.cone = RayCone{0, path.cone.spread}.at(", "test_integrators",
+           "path.cone.at(hit.t", "RayCone{0, path.cone.spread}.at(hit.t", "test_integrators",
            "a texture in a mirror is seen at the level of the whole way to it"),
     Mutant("scattering leaves a cone as it is", "integrators/path_reference.cpp",
            "path.cone = path.cone.scattered(next->departure.pdf)", "path.cone = RayCone(path.cone)",

@@ -76,7 +76,7 @@ MUTANTS = [
            "float(material(surface)) + 1", "float(surface.hit.mesh) + 1",
            "test_integrators", "shapes of one material have one material id"),
     Mutant("what misses covers its pixel", "integrators/layer_records.h",
-           "hit.is_miss() && !has_environment ? 0.0f : 1.0f", "1.0f", "test_integrators", FIRST),
+           "is_beyond_scene && !has_environment ? 0.0f : 1.0f", "1.0f", "test_integrators", FIRST),
     Mutant("the sun covers the picture", "integrators/layer_records.cpp",
            "return std::holds_alternative<EnvironmentLight>(light.source);",
            "return is_background(light.source);", "test_integrators",

@@ -105,8 +105,11 @@ Scene everything() {
                                  principled,
                                  Interface{},
                                  Mix{1, 3, third}};
-  for (const SurfaceModel& model : models) scene.materials.push_back({"m", model, {}});
-  scene.materials[5].interior = {{third, seventh, 0}, 2, true};
+  for (const SurfaceModel& model : models) {
+    if (std::holds_alternative<Interface>(model)) scene.atmosphere = std::uint32_t(scene.materials.size());
+    scene.materials.push_back({"m", model, {}});
+  }
+  scene.materials[5].interior = {{third, seventh, 0}, 2, true, {seventh, 0, third}, -third};
   add_textures(scene);
   const Vec3 slanted = normalize({1, 2, 3});
   const Transform turned = Transform::rotation({0, 1, 0}, 33);
@@ -168,8 +171,11 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
   const auto maps = [](const Material& m) {
     return std::tuple(m.normal_map, m.bump_map, m.tangent_map, m.tangent_degrees);
   };
-  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     CHECK(maps(trip.scene.materials[i]) == maps(scene.materials[i]));
+    CHECK(trip.scene.materials[i].interior == scene.materials[i].interior);
+  }
+  CHECK(trip.scene.atmosphere == scene.atmosphere);
   const auto& sky = std::get<EnvironmentLight>(scene.lights[6].source);
   const auto& read_sky = std::get<EnvironmentLight>(trip.scene.lights[6].source);
   CHECK(read_sky.map->pixels == sky.map->pixels);
@@ -340,6 +346,10 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
         "a.json: materials[1]: \"alpha\" is 1.5; it must be from 0 to 1");
   CHECK(wrong("/materials/1/alpha/0", "wide") == "a.json: materials[1]: \"alpha\" must be a number");
   CHECK(without("materials", "reflectance") == "a.json: materials[0]: \"reflectance\" is missing");
+  CHECK(wrong("/materials/1/interior", {{"absorption", {0, 0, 0}}, {"priority", 0}, {"anisotropy", 1}}) ==
+        "a.json: materials[1]: interior: \"anisotropy\" is 1; it must be from -0.99 to 0.99");
+  CHECK(wrong("/atmosphere", 9) == "a.json: the atmosphere is that of material 9; there are 2");
+  CHECK(wrong("/atmosphere", 0) == "a.json: the atmosphere is that of material 0, which is not an interface");
   CHECK(wrong("/materials/0", 7) == "a.json: materials[0]: it must be an object");
   CHECK(wrong("/lights", 7) == "a.json: \"lights\" must be a list");
   CHECK(wrong("/lights/0/shape", -1) ==

@@ -403,6 +403,18 @@ TEST_CASE("written gltf: the bounds of positions are said, and shapes without a 
   CHECK(json["buffers"][0]["uri"] == "a.bin");
 }
 
+TEST_CASE("written gltf: what bodies and the atmosphere scatter is named") {
+  Principled clear;
+  clear.transmission_weight = 1;
+  Scene scene = scene_of(triangle(), clear);
+  scene.materials[0].interior = {.absorption = {1, 1, 1}, .scattering = {0, 0, 1}};
+  scene.materials.push_back({"air", Interface{}, {}, {.scattering = {1, 1, 1}}});
+  scene.atmosphere = 1;
+  CHECK(round_trip(scene, "a.gltf").warnings ==
+        std::vector<std::string>{"what a body scatters within is left out",
+                                 "what fills the space around the camera is left out"});
+}
+
 TEST_CASE("written gltf: where the texture of a sphere lies is named") {
   const std::string around = "2 spheres are meshes of 256 edges around";
   Scene scene = scene_of(SphereSet{"spheres", {{{0, 0, 0}, 1}, {{3, 0, 0}, 1}}}, Lambert{});

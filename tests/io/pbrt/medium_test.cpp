@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/medium.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "io/scene_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/pbrt_text.h"
@@ -70,20 +74,89 @@ TEST_CASE("a medium that says nothing has pbrt's numbers, and attributes end") {
       "MakeNamedMedium \"milk\" \"string type\" \"homogeneous\" MediumInterface \"milk\" \"\" " +
       ball + "AttributeEnd " + ball);
   CHECK(loaded.warnings.empty());
-  CHECK(material_of(loaded, 0).interior.absorption == Rgb{0.0011f, 0.0024f, 0.014f});
+  CHECK(material_of(loaded, 0).interior == Interior{.absorption = {1, 1, 1}});
   CHECK_FALSE(has_interior(material_of(loaded, 1)));
 }
 
-TEST_CASE("a medium that is named around the camera is a warning") {
-  const auto warnings = [](const std::string& inside_outside) {
+TEST_CASE("a medium that is named outside of the camera is the atmosphere, though it is made later") {
+  const std::string made_later = std::string(tea).replace(tea.find("tea"), 3, "air");
+  const auto loaded = [&](const std::string& inside_outside) {
     return test::load_pbrt_text(tea + "MediumInterface " + inside_outside +
-                                " Camera \"perspective\" WorldBegin " + ball)
-        .warnings;
+                                " Camera \"perspective\" WorldBegin MediumInterface \"\" \"\" " + made_later +
+                                ball);
   };
-  CHECK(warnings("\"tea\" \"\"").empty());
-  REQUIRE(warnings("\"\" \"tea\"").size() == 1);
-  CHECK(warnings("\"\" \"tea\"")[0].message ==
-        "the camera is within the media of the shapes around it alone");
+  CHECK(loaded("\"tea\" \"\"").scene.atmosphere == no_material);
+  for (const char* outside : {"\"\" \"tea\"", "\"tea\"", "\"\" \"air\""}) {
+    const LoadedScene found = loaded(outside);
+    CHECK(found.warnings.empty());
+    REQUIRE(found.scene.atmosphere < found.scene.materials.size());
+    const Material& air = found.scene.materials[found.scene.atmosphere];
+    CHECK(std::holds_alternative<Interface>(air.model));
+    CHECK(air.interior == Interior{{1, 2, 4}});
+  }
+}
+
+TEST_CASE("what a medium scatters, and where to, is that of its statement or of a measured one") {
+  const auto interior = [](const std::string& parameters) {
+    const LoadedScene loaded =
+        load_pbrt_world("MakeNamedMedium \"m\" \"string type\" \"homogeneous\" " + parameters +
+                        " Material \"interface\" MediumInterface \"m\" \"\" " + ball);
+    CHECK(loaded.warnings.empty());
+    return material_of(loaded, 0).interior;
+  };
+  CHECK(interior("") == Interior{.absorption = {1, 1, 1}, .scattering = {1, 1, 1}});
+  CHECK(interior("\"rgb sigma_a\" [ 0 0 0 ] \"rgb sigma_s\" [ 1 2 3 ] \"float scale\" 2 \"float g\" -0.5") ==
+        Interior{.scattering = {2, 4, 6}, .anisotropy = -0.5f});
+  CHECK(interior("\"float g\" 1").anisotropy == 0.99f);
+  CHECK(interior("\"string preset\" \"Skin1\" \"float scale\" 10") ==
+        Interior{.absorption = 10 * Rgb{0.032f, 0.17f, 0.48f}, .scattering = 10 * Rgb{0.74f, 0.88f, 1.01f}});
+}
+
+TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they were") {
+  Scene scene = test::scene_of(SphereSet{"ball", {{{0, 0, 0}, 1}}}, Dielectric{});
+  scene.materials[0].interior = {.absorption = {1, 2, 3}, .scattering = {4, 5, 6}, .anisotropy = 0.25f};
+  scene.materials.push_back({.name = "clear", .model = Interface{}, .interior = {.is_clear = true}});
+  scene.materials.push_back({.name = "plain", .model = Dielectric{}});
+  scene.materials.push_back(
+      {.name = "air", .model = Interface{}, .interior = {.scattering = {0.5f, 0.5f, 0.5f}}});
+  scene.geometry =
+      std::make_shared<const Geometry>(std::vector<Shape>(3, SphereSet{"ball", {{{0, 0, 0}, 1}}}));
+  scene.bindings = {{0}, {1}, {2}};
+  scene.atmosphere = 3;
+  for (const char* name : {"a.pbrt", "a.json"}) {
+    const test::RoundTrip trip = test::round_trip(scene, name);
+    // An interface comes behind all others.
+    std::vector<Interior> interiors;
+    for (const ShapeBinding& binding : trip.scene.bindings)
+      interiors.push_back(trip.scene.materials[binding.material].interior);
+    REQUIRE(interiors.size() == 3);
+    for (int i = 0; i < 3; ++i)
+      CHECK(std::count(interiors.begin(), interiors.end(), scene.materials[std::size_t(i)].interior) == 1);
+    REQUIRE(trip.scene.atmosphere < trip.scene.materials.size());
+    CHECK(trip.scene.materials[trip.scene.atmosphere].interior == scene.materials[3].interior);
+  }
+}
+
+TEST_CASE("OpenPBR's clear surface scatters within, and loses at least what it scatters") {
+  const auto interior = [](const std::string& scatter) {
+    const LoadedScene loaded = load_pbrt_world(
+        "Material \"openpbr\" \"float transmission_weight\" 1 \"float transmission_depth\" 2 "
+        "\"rgb transmission_color\" [ 1 0.5 0.5 ] " +
+        scatter + ball);
+    CHECK(loaded.warnings.empty());
+    return material_of(loaded, 0).interior;
+  };
+  const Interior some = interior(
+      "\"rgb transmission_scatter\" [ 0 0.4 0 ] \"float "
+      "transmission_scatter_anisotropy\" 0.3 ");
+  CHECK(some.scattering == Rgb{0, 0.2f, 0});
+  CHECK(some.anisotropy == 0.3f);
+  CHECK(some.absorption.r == 0);
+  CHECK(some.extinction().g == Approx(std::log(2.0) / 2));
+  const Interior more = interior("\"rgb transmission_scatter\" [ 0.5 0.5 0.5 ] ");
+  CHECK(more.absorption.r == 0);
+  CHECK(more.extinction().r == Approx(0.25));
+  CHECK(more.extinction().g == Approx(0.25 + std::log(2.0) / 2));
 }
 
 TEST_CASE("what has a medium outside alone is clear within, and what is turned around has it within") {
@@ -191,12 +264,13 @@ TEST_CASE("a medium may be made behind the statement that names it") {
 
 TEST_CASE("what of media is not rendered is said, and what is none is an error") {
   const std::string begin = "MakeNamedMedium \"m\" \"string type\" ";
-  CHECK(warnings_of(begin + "\"homogeneous\"") ==
-        std::vector<std::string>{"what this medium scatters is not rendered, only what it absorbs"});
   CHECK(warnings_of(begin + "\"cloud\"") ==
         std::vector<std::string>{"a medium of the kind \"cloud\" is not rendered: it is clear"});
-  CHECK(warnings_of(begin + "\"homogeneous\" \"string preset\" \"Skin1\"") ==
-        std::vector<std::string>{"measured media are not known here: this one is taken as clear"});
+  CHECK(warnings_of(begin + "\"homogeneous\" \"string preset\" \"Skim\"") ==
+        std::vector<std::string>{"there is no measured medium \"Skim\": its coefficients are those of the "
+                                 "statement; \"Skin1\" is the nearest name"});
+  CHECK(warnings_of(begin + "\"homogeneous\" \"rgb Le\" [ 1 1 1 ]") ==
+        std::vector<std::string>{"light of media is not rendered"});
   CHECK(pbrt_error(begin + "\"fog\"").find("there is no medium \"fog\"; valid are homogeneous") !=
         std::string::npos);
   CHECK(pbrt_error("MakeNamedMedium \"m\"").find("\"string type\"") != std::string::npos);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrators/flight.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/elementary.h"
+#include "core/interiors.h"
+
+namespace twinray {
+namespace {
+
+float channel_of(const Rgb& color, int channel) {
+  return channel == 0 ? color.r : channel == 1 ? color.g : color.b;
+}
+
+float sum_of(const Rgb& color) { return color.r + color.g + color.b; }
+
+}  // namespace
+
+Flight::Flight(const Rgb& throughput, float u) : chance_(throughput / sum_of(throughput)) {
+  // The part of the draw that is left once it has chosen is as even as the draw.
+  while (channel_ < 2 && u >= channel_of(chance_, channel_)) u -= channel_of(chance_, channel_++);
+  // A sum that is rounded to below 1 must not let the last channel be chosen where it cannot be.
+  while (channel_of(chance_, channel_) == 0) --channel_;
+  const float rest = std::min(u / channel_of(chance_, channel_), 1 - 0x1p-24f);
+  depth_ = -log_of(1 - rest);
+}
+
+bool Flight::ends_within(const Interior& medium, float length) {
+  has_begun_ = true;
+  const Rgb extinction = medium.extinction();
+  const float own = channel_of(extinction, channel_);
+  // Infinite where the channel is not dimmed.
+  const float end = own > 0 ? depth_ / own : std::numeric_limits<float>::infinity();
+  has_ended_ = end < length;
+  if (has_ended_) {
+    distance_ = end;
+    medium_ = medium;
+  } else if (own > 0) {
+    depth_ = std::max(depth_ - own * length, 0.0f);
+  }
+  left_ = left_ * transmittance(extinction, has_ended_ ? end : length);
+  return has_ended_;
+}
+
+Rgb Flight::weight() const {
+  if (!has_ended_) return left_ / sum_of(chance_ * left_);
+  return medium_.scattering * left_ / sum_of(chance_ * medium_.extinction() * left_);
+}
+
+}  // namespace twinray

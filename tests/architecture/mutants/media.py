@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Defects of media that scatter light."""
+from mutant import Mutant
+
+WEIGHTS = "the weights of flights have the mean that light has, whatever their channel is chosen by"
+CHANNELS = "a flight never goes by a channel in which the path has no light"
+DENSITY = "a phase function is a density over all directions, of the mean cosine that it is made for"
+CHOSEN = "a phase function chooses directions by its density"
+WHITE = "a body that scatters all light cannot be told from a white sky, by every way of finding light"
+FURNACE = "in a furnace a body that scatters all light is white"
+ONCE = "light that is scattered once is what the integral along the ray says"
+AIR = "an atmosphere is around the camera and all shapes, but for what has an inside of its own"
+LAYERS = "where a path is scattered by a medium first, layers have no surface, and the picture is covered"
+PARTS = "light that media scatter is transmitted light, and the parts of a picture add up to it"
+LIMITS = "how often media scatter is bounded as light that goes through surfaces is"
+PATCHES = "a point in a medium sees patches on all sides of it alike"
+LAMPS = "a point in a medium is lit by lamps on all sides of it alike"
+DIMMED = "a medium that scatters dims what goes straight on, and is found where it is"
+REFUSED = "interiors that cannot be are refused"
+FLIGHT = "a way with a flight is scattered where that ends, in media that scatter alone"
+READ = "what a medium scatters, and where to, is that of its statement or of a measured one"
+OUTSIDE = "a medium that is named outside of the camera is the atmosphere, though it is made later"
+WRITTEN = "written pbrt: media that scatter and the atmosphere come back as they were"
+OPENPBR = "OpenPBR's clear surface scatters within, and loses at least what it scatters"
+REPLAYED = "a replay says where a medium has scattered the path"
+
+MUTANTS = [
+    Mutant("the rest of a channel's draw is not even", "integrators/flight.cpp",
+           "const float rest = std::min(u / channel_of(chance_, channel_), 1 - 0x1p-24f);",
+           "const float rest = std::min(u, 1 - 0x1p-24f);", "test_integrators", WEIGHTS),
+    Mutant("a flight forgets the depth that it has spent", "integrators/flight.cpp",
+           "depth_ = std::max(depth_ - own * length, 0.0f);", "", "test_integrators", WEIGHTS),
+    Mutant("a flight is weighted by its own channel alone", "integrators/flight.cpp",
+           "if (!has_ended_) return left_ / sum_of(chance_ * left_);",
+           "if (!has_ended_) return left_ / channel_of(left_, channel_);", "test_integrators", WEIGHTS),
+    Mutant("what media absorb is not in the density of a flight's end", "integrators/flight.cpp",
+           "sum_of(chance_ * medium_.extinction() * left_)", "sum_of(chance_ * medium_.scattering * left_)",
+           "test_integrators", WEIGHTS),
+    Mutant("a flight may go by a channel that is dark", "integrators/flight.cpp",
+           "while (channel_of(chance_, channel_) == 0) --channel_;", "", "test_integrators", CHANNELS),
+    Mutant("media that absorb alone end a flight", "integrators/way.h",
+           "const Material* const medium = flight ? scattering_medium(materials, interiors) : nullptr;",
+           "const auto there = interiors.prevailing(materials);\n"
+           "    const Material* const medium = flight && !interiors.empty() ? &materials[there] : nullptr;",
+           "test_integrators", FLIGHT),
+    Mutant("a flight's distance is a ray's parameter", "integrators/way.h",
+           "flight->distance() / length(ray.direction)", "flight->distance()", "test_integrators", FLIGHT),
+    Mutant("a phase function of a negative anisotropy is that of a positive one", "core/phase_function.cpp",
+           "const float turned = g_ < 0 ? 1 + cosine : 1 - cosine;", "const float turned = 1 - cosine;",
+           "test_core",
+           DENSITY),
+    Mutant("a phase function scatters back what it should scatter forward", "core/phase_function.cpp",
+           "return {sine * turn.cos, sine * turn.sin, -cosine};",
+           "return {sine * turn.cos, sine * turn.sin, cosine};",
+           "test_core", CHOSEN),
+    Mutant("a medium's phase function has a cosine", "integrators/interaction.h",
+           "return phase_ ? 1 : std::fabs(sample.wi.z); }", "return std::fabs(sample.wi.z); }",
+           "test_integrators",
+           FURNACE),
+    Mutant("light samples see a medium's phase function from behind", "integrators/interaction.cpp",
+           "phase_->evaluate(-local.z)", "phase_->evaluate(local.z)", "test_integrators", ONCE),
+    Mutant("a point in a medium is gathered at as at a surface", "core/light_patch.h",
+           "return is_in_medium() ? length(towards) : dot(normal, towards);",
+           "return dot(normal, towards);",
+           "test_core", PATCHES),
+    Mutant("of many lights a point in a medium sees none", "core/light_tree.cpp",
+           "receiver.is_in_medium() ? 1 : dot(receiver.normal, direction)",
+           "dot(receiver.normal, direction)",
+           "test_core", LAMPS),
+    Mutant("what scatters does not dim what goes straight on", "core/material.h",
+           "return absorption + scattering; }", "return absorption; }", "test_core", DIMMED),
+    Mutant("of a medium that is hidden light is scattered", "core/interiors.cpp",
+           "const Material& there = materials[interiors.prevailing(materials)];\n",
+           "const Material& there = materials[0];\n", "test_core", DIMMED),
+    Mutant("a scattering below 0 is taken", "core/scene.cpp",
+           "!is_finite(scattering) || std::min({scattering.r, scattering.g, scattering.b}) < 0",
+           "!is_finite(scattering)", "test_core", REFUSED),
+    Mutant("an anisotropy of 1 is taken", "core/scene.cpp",
+           "!(std::fabs(material.interior.anisotropy) <= PhaseFunction::most_anisotropy)",
+           "!(std::fabs(material.interior.anisotropy) <= 1)", "test_core", REFUSED),
+    Mutant("a furnace's media scatter nothing", "integrators/furnace.cpp",
+           "if (has_scattering_medium_) way", "if (false) way", "test_integrators", FURNACE),
+    Mutant("a camera in a clear body is in the atmosphere", "integrators/camera_interiors.cpp",
+           "if (found.empty() && scene_.atmosphere", "if (scene_.atmosphere", "test_integrators", AIR),
+    Mutant("an atmosphere is left out where no shape has an inside", "integrators/camera_interiors.cpp",
+           "if (bodies_.is_empty() && scene_.atmosphere == no_material) return;",
+           "if (bodies_.is_empty()) return;",
+           "test_integrators", AIR),
+    Mutant("a path that a medium scatters first covers nothing", "integrators/path_reference.cpp",
+           "alpha_record(end.is_beyond_scene(), has_environment_)",
+           "alpha_record(end.hit.is_miss(), has_environment_)",
+           "test_integrators", LAYERS),
+    Mutant("light that media scatter backwards is glossy", "integrators/interaction.h",
+           "return phase_ || to_local(wi).z < 0; }", "return to_local(wi).z < 0; }", "test_integrators",
+           PARTS),
+    Mutant("media scatter without limits", "integrators/scattering.cpp",
+           "if (at.is_in_medium() || sample.wi.z < 0)", "if (sample.wi.z < 0)", "test_integrators", LIMITS),
+    Mutant("pbrt's media scatter evenly", "io/pbrt/medium.cpp",
+           "std::clamp(parameters.real(\"g\", 0, {-1, 1}), -most, most)",
+           "0 * most * parameters.real(\"g\", 0, {-1, 1})",
+           "test_io", READ),
+    Mutant("a measured medium has no scale", "io/pbrt/medium.cpp",
+           ".scattering = scale * (preset ? preset->scattering : scattering)}",
+           ".scattering = preset ? preset->scattering : scale * scattering}", "test_io", READ),
+    Mutant("the medium inside of pbrt's camera is around it", "io/pbrt/scene.cpp",
+           "builder_.surround_camera(states_.now().medium_outside);",
+           "builder_.surround_camera(states_.now().medium_inside);",
+           "test_io", OUTSIDE),
+    Mutant("written pbrt: bodies lie in nothing", "io/pbrt/writer_material.cpp",
+           "made.interior[index] = between(name, made.atmosphere);",
+           "made.interior[index] = between(name, \"\");",
+           "test_io", WRITTEN),
+    Mutant("OpenPBR's clear surface absorbs less than nothing", "io/pbrt/material.cpp",
+           "const float short_of = std::max(0.0f, -std::min({lost.r, lost.g, lost.b}));",
+           "const float short_of = 0;",
+           "test_io", OPENPBR),
+    Mutant("a replay says of a medium's point that it has a cosine", "cli/replay/text.cpp",
+           "  if (!at.is_in_medium())\n    text +=", "  if (at.point().offset >= 0)\n    text +=",
+           "test_cli", REPLAYED),
+]

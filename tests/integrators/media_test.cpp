@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light that is scattered on its way between surfaces: held to closed forms, furnaces and other routes.
+#include <cmath>
+
+#include "accel/accelerator.h"
+#include "core/phase_function.h"
+#include "integrators/furnace.h"
+#include "integrators/path_reference.h"
+#include "integrators/replay.h"
+#include "tests/support/catch.h"
+#include "tests/support/engines.h"
+#include "tests/support/estimate.h"
+#include "tests/support/film.h"
+#include "tests/support/scenes.h"
+#include "tests/support/traced_records.h"
+
+namespace twinray::test {
+namespace {
+
+constexpr Interior white_fog{.scattering = {1, 2, 4}, .anisotropy = 0.4f};
+constexpr Interior smoke{
+    .absorption = {0.2f, 0.3f, 0.1f}, .scattering = {0.5f, 0.3f, 0.9f}, .anisotropy = -0.3f};
+
+/// A ball of radius 1 around the origin, of a model and filled; the camera sees a small part of it, along -z.
+Scene ball_of(const SurfaceModel& model, const Interior& interior) {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.materials = {{.name = "ball", .model = model, .interior = interior}};
+  scene.bindings = {{0}};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+  return scene;
+}
+
+Scene under(Scene scene, const LightSource& light) {
+  add_light(scene, light);
+  return scene;
+}
+
+Interior grey(float absorption, float scattering) {
+  return {.absorption = {absorption, absorption, absorption},
+          .scattering = {scattering, scattering, scattering}};
+}
+
+/// Of light that comes from +x and is scattered once within a ball of a grey medium, towards the camera at
+/// +z.
+double scattered_once(double absorption, double scattering, double phase) {
+  const double extinction = absorption + scattering;
+  constexpr int steps = 10000;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double z = 1 - 2 * (i + 0.5) / steps;
+    const double way = std::sqrt(1 - z * z) + (1 - z);
+    sum += scattering * phase * std::exp(-extinction * way) * 2 / steps;
+  }
+  return sum;
+}
+
+/// Fog, smoke and bodies of both, with lamps in them and around them.
+Scene scene_of_media() {
+  Scene scene = small_room();
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  const auto add = [&](const SurfaceModel& model, const Interior& interior, const Sphere& ball) {
+    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+    scene.materials.push_back({.name = "", .model = model, .interior = interior});
+    shapes.push_back(SphereSet{"", {ball}});
+  };
+  add(Interface{}, white_fog, {{0, -0.2f, 0.1f}, 0.7f});
+  add(Interface{}, smoke, {{0.3f, 0, 0.2f}, 0.3f});
+  add(Interface{}, {.absorption = {2, 1, 0}}, {{-0.4f, -0.3f, 0}, 0.4f});
+  add(Dielectric{.ior = 1.3f}, smoke, {{-0.3f, 0.3f, 0.3f}, 0.25f});
+  add(Dielectric{.ior = 1.2f, .roughness = {0.3f, 0.3f}}, white_fog, {{0.5f, -0.5f, -0.2f}, 0.3f});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  add_light(scene, PointLight{{0.2f, 0.4f, 0.3f}, {0.3f, 0.2f, 0.1f}, {}});
+  scene.materials.push_back({.name = "air", .model = Interface{}, .interior = grey(0.01f, 0.1f)});
+  scene.atmosphere = std::uint32_t(scene.materials.size() - 1);
+  check_scene(scene);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a body that scatters all light cannot be told from a white sky, by every way of finding light") {
+  for (const SurfaceModel& model : {SurfaceModel(Interface{}), SurfaceModel(Dielectric{.ior = 1.4f})})
+    for (const DirectMethod method : all_methods) {
+      CAPTURE(model.index(), int(method));
+      const Scene scene = under(ball_of(model, white_fog), constant_sky({1, 1, 1}));
+      const PathOptions path{.max_depth = 100, .direct = method, .roulette = {1}};
+      check_mean(estimate(scene, path, small_picture(1024)), 1, 0.2);
+    }
+  const Dielectric frosted{.ior = 1.4f, .roughness = {0.3f, 0.3f}};
+  const Scene scene = under(ball_of(frosted, white_fog), constant_sky({1, 1, 1}));
+  check_mean(estimate(scene, {.max_depth = 100, .roulette = {1}}, small_picture(1024)), 1, 0.2);
+}
+
+TEST_CASE("in a furnace a body that scatters all light is white") {
+  for (const SurfaceModel& model : {SurfaceModel(Interface{}), SurfaceModel(Dielectric{.ior = 1.4f})}) {
+    const Scene scene = ball_of(model, grey(0, 1));
+    CHECK(estimate_of(render_with(scene, FurnaceIntegrator(scene, 100), small_picture(256)).film).mean ==
+          Approx(1).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("light that is scattered once is what the integral along the ray says") {
+  for (const float anisotropy : {0.0f, 0.6f, -0.6f}) {
+    Interior fog = grey(0.3f, 0.9f);
+    fog.anisotropy = anisotropy;
+    const Scene scene = under(ball_of(Interface{}, fog), DirectionalLight{{-1, 0, 0}, {1, 1, 1}});
+    const double expected = scattered_once(0.3, 0.9, double(PhaseFunction(anisotropy).evaluate(0)));
+    check_mean(estimate(scene, {.max_depth = 1}, small_picture(16384)), expected, 0.02);
+  }
+  // Forward is where the light goes.
+  Interior fog = grey(0, 1);
+  fog.anisotropy = 0.8f;
+  const auto seen = [&](float z) {
+    return estimate(under(ball_of(Interface{}, fog), DirectionalLight{{0, 0, z}, {1, 1, 1}}),
+                    {.max_depth = 1}, small_picture(256))
+        .mean;
+  };
+  CHECK(seen(1) > 50 * seen(-1));
+}
+
+TEST_CASE("light that a medium does not scatter is what it would be if the medium absorbed alone") {
+  const Scene scattering = under(ball_of(Interface{}, smoke), constant_sky({1, 1, 1}));
+  const Scene absorbing =
+      under(ball_of(Interface{}, {.absorption = smoke.extinction()}), constant_sky({1, 1, 1}));
+  const PathOptions no_bounce{.max_depth = 0};
+  check_same_mean(estimate(scattering, no_bounce, small_picture(16384)),
+                  estimate(absorbing, no_bounce, small_picture(16)), 0.03);
+}
+
+TEST_CASE("a medium is the same in one body and in two that share a face, which no ray sees") {
+  Scene whole = under(ball_of(Interface{}, smoke), PointLight{{0, 3, 1}, {9, 9, 9}, {}});
+  Scene parted = whole;
+  std::vector<Shape> shapes = parted.geometry->shapes();
+  shapes.push_back(SphereSet{"inner", {{{0, 0.1f, 0}, 0.6f}}});
+  parted.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  parted.materials.push_back(parted.materials[0]);
+  parted.bindings.push_back({1});
+  const PathOptions path{.max_depth = 5};
+  check_same_mean(estimate(parted, path, small_picture(8192)), estimate(whole, path, small_picture(8192)),
+                  0.05);
+}
+
+TEST_CASE("an atmosphere is around the camera and all shapes, but for what has an inside of its own") {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+  add_lamp(scene, SphereSet{"lamp", {{{0, 0, 0}, 1}}}, {1, 1, 1}, EmissionSide::front);
+  scene.materials.push_back({.name = "air", .model = Interface{}, .interior = grey(0.25f, 0)});
+  scene.atmosphere = std::uint32_t(scene.materials.size() - 1);
+  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(std::exp(-0.5)).epsilon(1e-4));
+  // Nothing comes from beyond it.
+  Scene sky = scene;
+  sky.camera = camera_at({0, 0, 3}, {0, 0, 9});
+  add_light(sky, constant_sky({1, 1, 1}));
+  CHECK(estimate(sky, {}, small_picture(4)).mean == 0);
+  // A camera in a clear body is not in it.
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  shapes.push_back(SphereSet{"cabin", {{{0, 0, 3}, 0.5f}}});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+  scene.materials.push_back({.name = "cabin", .model = Interface{}, .interior = {.is_clear = true}});
+  CHECK(estimate(scene, {}, small_picture(4)).mean == Approx(1).epsilon(1e-4));
+}
+
+TEST_CASE("what media scatter has the same bits on all engines, instruction sets and threads") {
+  const Scene scene = scene_of_media();
+  check_engines(scene, PathIntegrator(scene, {.max_depth = 3}, "scalar"));
+  check_engines(scene, PathIntegrator(scene, {.max_depth = 3}));
+  check_engines(scene, FurnaceIntegrator(scene, 5));
+}
+
+TEST_CASE("all ways of finding light agree on what media scatter") {
+  const Scene scene = scene_of_media();
+  const auto seen = [](const Scene& of, DirectMethod method) {
+    return estimate(of, {.max_depth = 4, .direct = method}, small_picture(4096));
+  };
+  check_same_mean(seen(scene, DirectMethod::lights), seen(scene, DirectMethod::mis), 0.2);
+  // Which never finds points of light.
+  Scene lamps = scene;
+  lamps.lights.pop_back();
+  check_same_mean(seen(lamps, DirectMethod::hemisphere), seen(lamps, DirectMethod::mis), 0.2);
+}
+
+TEST_CASE("where a path is scattered by a medium first, layers have no surface, and the picture is covered") {
+  Scene scene = under(ball_of(Interface{}, grey(0.4f, 0.6f)), PointLight{{3, 3, 3}, {9, 9, 9}, {}});
+  RenderOptions options = small_picture(4096);
+  options.layers = {Layer::alpha, Layer::albedo};
+  const Film film = render_with(scene, PathIntegrator(scene, {}), options).film;
+  double alpha = 0, albedo = 0;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      alpha += double(film.value(0, x, y).r) / 16;
+      albedo += double(film.value(1, x, y).r) / 16;
+    }
+  const double scattered = 1 - std::exp(-2.0);
+  CHECK(alpha == Approx(scattered).margin(0.01));
+  CHECK(albedo == Approx(0.6 * scattered).margin(0.01));
+}
+
+TEST_CASE("light that media scatter is transmitted light, and the parts of a picture add up to it") {
+  const Scene scene = under(ball_of(Interface{}, smoke), PointLight{{3, 3, 3}, {9, 9, 9}, {}});
+  RenderOptions options = small_picture(64);
+  options.light_paths = true;
+  const Film film = render_with(scene, PathIntegrator(scene, {}), options).film;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const std::vector<Rgb> parts = parts_at(film, Division::paths, x, y);
+      const Rgb direct = parts[std::size_t(LightPath::transmission_direct)],
+                indirect = parts[std::size_t(LightPath::transmission_indirect)];
+      CHECK_FALSE(is_black(direct));
+      CHECK_FALSE(is_black(indirect));
+      CHECK(direct + indirect == film.pixel(x, y).mean());
+    }
+}
+
+TEST_CASE("how often media scatter is bounded as light that goes through surfaces is") {
+  const Scene scene = under(ball_of(Interface{}, white_fog), PointLight{{3, 3, 3}, {9, 9, 9}, {}});
+  const Film once = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), small_picture(64)).film;
+  const PathOptions limited{.max_depth = 20, .limits = {.transmission = 0}};
+  CHECK(same_bits(render_with(scene, PathIntegrator(scene, limited), small_picture(64)).film, once));
+}
+
+}  // namespace twinray::test
