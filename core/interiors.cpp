@@ -91,9 +91,10 @@ void forget_clear_interiors(std::span<Material> materials) {
   for (Material& material : materials) material.interior.is_clear = false;
 }
 
-bool has_scattering_medium(std::span<const Material> materials) {
-  return std::any_of(materials.begin(), materials.end(),
-                     [](const Material& material) { return !is_black(material.interior.scattering); });
+bool has_flights(std::span<const Material> materials) {
+  return std::any_of(materials.begin(), materials.end(), [](const Material& material) {
+    return !is_black(material.interior.scattering) || material.interior.density != no_density;
+  });
 }
 
 const Material* scattering_medium(std::span<const Material> materials, const Interiors& interiors) {
@@ -107,8 +108,8 @@ Rgb transmittance(std::span<const Material> materials, const Interiors& interior
   return transmittance(materials[interiors.prevailing(materials)].interior.extinction(), length);
 }
 
-Rgb transmittance(const Rgb& extinction, float length) {
-  const auto channel = [&](float e) { return e > 0 ? exp_of(-e * length) : 1.0f; };
+Rgb transmittance(const Rgb& extinction, float amount) {
+  const auto channel = [&](float e) { return e > 0 ? exp_of(-e * amount) : 1.0f; };
   return {channel(extinction.r), channel(extinction.g), channel(extinction.b)};
 }
 

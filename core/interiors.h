@@ -41,17 +41,17 @@ class Interiors {
 /// something clear: it need not.
 void forget_clear_interiors(std::span<Material> materials);
 
-/// Whether anything scatters light on its way between surfaces.
-bool has_scattering_medium(std::span<const Material> materials);
+/// Whether anything scatters light on its way between surfaces, or dims it here more than there.
+bool has_flights(std::span<const Material> materials);
 
 /// The material whose interior scatters the light that is in these interiors; null where none does.
 const Material* scattering_medium(std::span<const Material> materials, const Interiors& interiors);
 
-/// The part of light that is left behind a way through interiors, neither absorbed nor scattered; `length`
-/// may be infinite.
+/// The part of light that is left behind a way through interiors whose media are even, neither absorbed nor
+/// scattered; `length` may be infinite.
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length);
-/// The same of one medium.
-Rgb transmittance(const Rgb& extinction, float length);
+/// The same of one medium, by how much of it there is.
+Rgb transmittance(const Rgb& extinction, float amount);
 
 /// What a surface is a boundary to, by the priorities of nested interiors (Schmidt and Budge, "Simple Nested
 /// Dielectrics in Ray Traced Images", 2002).

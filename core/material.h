@@ -199,7 +199,10 @@ struct TextureUse {
   InputMeaning meaning = InputMeaning::value;
 };
 
-/// What lies within a closed surface that lets light in: a medium, the same everywhere.
+/// The index of "no density": a medium is the same everywhere.
+inline constexpr std::uint32_t no_density = 0xffffffff;
+
+/// What lies within a closed surface that lets light in: a medium.
 struct Interior {
   Rgb absorption;  ///< Per unit of length, >= 0: light that goes a way d is times e^(-absorption d).
   /// Where interiors overlap, the one of the highest priority is there; those of 0 do not hide others, nor
@@ -209,6 +212,8 @@ struct Interior {
   Rgb scattering;  ///< Per unit of length, >= 0: of light that goes a way d, e^(-scattering d) goes straight
                    ///< on.
   float anisotropy = 0;  ///< Of what is scattered: core/phase_function.h.
+  /// Index into Scene::densities: the absorption and the scattering are times the density there.
+  std::uint32_t density = no_density;
 
   bool operator==(const Interior&) const = default;
   /// Of light that goes a way d, the part e^(-extinction d) is neither absorbed nor scattered.

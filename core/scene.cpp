@@ -128,6 +128,10 @@ void check_interior(const Scene& scene, std::size_t index) {
     throw Error(fmt::format("material {} has an anisotropy of {:g}; valid are -{:g} to {:g}", index,
                             material.interior.anisotropy, PhaseFunction::most_anisotropy,
                             PhaseFunction::most_anisotropy));
+  if (const std::uint32_t density = material.interior.density;
+      density != no_density && density >= scene.densities.size())
+    throw Error(
+        fmt::format("material {} names density {}; there are {}", index, density, scene.densities.size()));
   if (material.interior.priority < 0)
     throw Error(
         fmt::format("material {} has the priority {}; it must be >= 0", index, material.interior.priority));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/camera.h"
+#include "core/density_grid.h"
 #include "core/geometry.h"
 #include "core/light.h"
 #include "core/material.h"
@@ -33,6 +34,7 @@ struct Scene {
   std::vector<std::string> light_groups;  ///< Names; each light is of one of them, if there are any.
   std::vector<std::string> assets;        ///< Names of what several shapes may belong to.
   std::vector<Texture> textures;
+  std::vector<std::shared_ptr<const DensityGrid>> densities;  ///< Of media that are not even.
   Camera camera;
   /// The material whose interior fills space around all shapes, if any: what a camera is in that stands in
   /// none of them. An Interface.

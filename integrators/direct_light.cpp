@@ -21,7 +21,7 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
     Way way{ray, tracer.bounce_hit(ray), at.interiors(look.direction)};
     if (transport.passages) transport.passages->follow(tracer, way);
     const Hit& hit = way.hit;
-    const Rgb passed = way.left * transmittance(transport, way.interiors, way.ray, hit.t);
+    const Rgb passed = way.left * transmittance(transport.scene, way.interiors, way.ray, hit.t);
     const Rgb found = lamp_radiance(transport, hit, look.direction) * passed;
     const Rgb light = scattered * found / look.density;
     sum += light;
@@ -106,7 +106,7 @@ Rgb scattered_sample(const LightTransport& transport, std::uint32_t light, const
   if (is_black(sample.radiance)) return {};
   const BsdfValue scattered = at.scattered(sample.direction);
   const Rgb arriving = transport.passages ? Rgb{1, 1, 1}
-                                          : transmittance(transport, at.interiors(sample.direction),
+                                          : transmittance(transport.scene, at.interiors(sample.direction),
                                                           sample.shadow_ray, sample.shadow_ray.t_max);
   return scattered.value * sample.radiance *
          light_sample_weight(transport, light, at, sample, scattered.pdf) * arriving;

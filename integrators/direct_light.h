@@ -35,15 +35,6 @@ struct LightTransport {
   std::uint32_t directions() const { return std::uint32_t(lights.sampled().size()) * samples_per_light; }
 };
 
-/// The part of light that interiors leave along a ray of any length, from where it starts up to its parameter
-/// t (or infinity).
-inline Rgb transmittance(const LightTransport& transport, const Interiors& interiors, const Ray& ray,
-                         float t) {
-  if (interiors.empty()) return {1, 1, 1};
-  return twinray::transmittance(transport.scene.materials, interiors,
-                                (t - ray.t_min) * length(ray.direction));
-}
-
 /// How much the environments' samples leave to scattered rays (core/environment.h).
 inline double compensation_for(DirectMethod method, std::uint32_t samples_per_light) {
   return method == DirectMethod::mis ? mis_compensation(samples_per_light) : 0;

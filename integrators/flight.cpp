@@ -27,20 +27,21 @@ Flight::Flight(const Rgb& throughput, float u) : chance_(throughput / sum_of(thr
   depth_ = -log_of(1 - rest);
 }
 
-bool Flight::ends_within(const Interior& medium, float length) {
+bool Flight::ends_within(const Interior& medium, const MediumColumn& column) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   has_begun_ = true;
   const Rgb extinction = medium.extinction();
   const float own = channel_of(extinction, channel_);
   // Infinite where the channel is not dimmed.
-  const float end = own > 0 ? depth_ / own : std::numeric_limits<float>::infinity();
-  has_ended_ = end < length;
-  if (has_ended_) {
-    distance_ = end;
+  const float amount = own > 0 ? depth_ / own : infinity;
+  distance_ = column.reach(amount);
+  has_ended_ = distance_ < infinity;
+  const float passed = has_ended_ ? amount : column.amount();
+  if (has_ended_)
     medium_ = medium;
-  } else if (own > 0) {
-    depth_ = std::max(depth_ - own * length, 0.0f);
-  }
-  left_ = left_ * transmittance(extinction, has_ended_ ? end : length);
+  else if (own > 0)
+    depth_ = std::max(depth_ - own * passed, 0.0f);
+  left_ = left_ * transmittance(extinction, passed);
   return has_ended_;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include "core/material.h"
 #include "core/rgb.h"
+#include "integrators/medium_column.h"
 
 namespace twinray {
 
@@ -16,9 +17,9 @@ class Flight {
   /// Channels are chosen by the path's throughput where the way begins, not black. u in [0, 1).
   Flight(const Rgb& throughput, float u);
 
-  /// Goes on through a medium that scatters. `length` may be infinite, and is >= 0. Whether the path is
-  /// scattered before its end; then the flight ends there.
-  bool ends_within(const Interior& medium, float length);
+  /// Goes on through a medium that scatters. Whether the path is scattered before the column's end; then the
+  /// flight ends there.
+  bool ends_within(const Interior& medium, const MediumColumn& column);
   /// Whether it has gone through any.
   bool has_begun() const { return has_begun_; }
   /// How far behind the beginning of the last medium it has ended.

@@ -14,8 +14,8 @@ Rgb FurnaceIntegrator::radiance_of(const CameraSample& sample, SamplerKind kind,
   Rgb throughput{1, 1, 1};
   VertexSampler sampler(kind, path_key, 0);
   for (int depth = 0;; ++depth) {
-    if (has_scattering_medium_) way.flight.emplace(throughput, sampler.draw_1d(Purpose::medium));
-    way.goes_on(scene.materials, way.hit.t);
+    if (has_flights_) way.flight.emplace(throughput, sampler.draw_1d(Purpose::medium));
+    way.goes_on(scene, way.hit.t);
     throughput = throughput * way.weight();
     if (way.hit.is_miss() && !way.is_scattered) return throughput;
     if (depth == max_depth_) return {};

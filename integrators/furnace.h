@@ -19,9 +19,7 @@ class FurnaceIntegrator final : public PlainIntegrator {
  public:
   /// The scene must outlive the integrator.
   FurnaceIntegrator(const Scene& scene, int max_depth)
-      : bsdfs_(scene, Materials::exact),
-        max_depth_(max_depth),
-        has_scattering_medium_(has_scattering_medium(scene.materials)) {}
+      : bsdfs_(scene, Materials::exact), max_depth_(max_depth), has_flights_(has_flights(scene.materials)) {}
 
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
@@ -30,7 +28,7 @@ class FurnaceIntegrator final : public PlainIntegrator {
 
   BsdfTable bsdfs_;
   int max_depth_;
-  bool has_scattering_medium_;
+  bool has_flights_;
 };
 
 }  // namespace twinray

@@ -25,7 +25,7 @@ Passages::Passages(const Scene& scene) : scene_(scene) {
 void Passages::pass(Tracer& tracer, Way& way, RayKind kind) const {
   StraightOn through(scene_, way.interiors);
   for (int passed = 0; is_one(way.hit); ++passed) {
-    if (!way.goes_on(scene_.materials, way.hit.t)) return;
+    if (!way.goes_on(scene_, way.hit.t)) return;
     through.pass(way.hit, way.ray);
     way.interiors = through.interiors();
     way.hit = passed < most_passages ? tracer.hit(way.ray, kind) : Hit{};
@@ -38,7 +38,7 @@ Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors&
   Way way{shadow_ray, tracer.hit(shadow_ray, RayKind::shadow), interiors};
   pass(tracer, way, RayKind::shadow);
   if (!way.hit.is_miss()) return {};
-  way.goes_on(scene_.materials, way.ray.t_max);
+  way.goes_on(scene_, way.ray.t_max);
   return way.left;
 }
 

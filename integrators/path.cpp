@@ -31,7 +31,7 @@ class PathIntegrator::Waves {
  public:
   Waves(const Scene& scene, const PathOptions& options, const std::string& simd)
       : reference(scene, options),
-        stages(has_scattering_medium(scene.materials) ? std::nullopt : wave_stages_of(simd)),
+        stages(has_flights(scene.materials) ? std::nullopt : wave_stages_of(simd)),
         options_(options),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, reference.transport().lights)),

@@ -15,7 +15,7 @@ PathReference::PathReference(const Scene& scene, const PathOptions& options)
       bsdfs_(scene, options.regularize ? Materials::regularized : Materials::exact),
       passages_(scene),
       has_environment_(has_environment(scene)),
-      has_scattering_medium_(has_scattering_medium(scene.materials)) {
+      has_flights_(has_flights(scene.materials)) {
   check(options);
 }
 
@@ -78,10 +78,10 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
 PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampler, State& path,
                                       const Hit& hit) const {
   Way way{path.ray, hit, path.viewing.interiors};
-  if (has_scattering_medium_) way.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
+  if (has_flights_) way.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
   if (passages_.is_one(hit)) passages_.follow(tracer, way);
   const Rgb passed = std::exchange(way.left, {1, 1, 1});
-  if (!way.is_scattered) way.goes_on(scene_.materials, way.hit.t);
+  if (!way.is_scattered) way.goes_on(scene_, way.hit.t);
   const Rgb left = way.weight();
   path.ray = way.ray;
   path.viewing.interiors = way.interiors;

@@ -82,7 +82,7 @@ class PathReference final : public Integrator {
   BsdfTable bsdfs_;
   Passages passages_;
   bool has_environment_;
-  bool has_scattering_medium_;
+  bool has_flights_;
 };
 
 }  // namespace twinray

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <optional>
-#include <span>
 
 #include "core/hit.h"
 #include "core/interiors.h"
 #include "core/ray.h"
 #include "core/rgb.h"
+#include "core/scene.h"
 #include "integrators/flight.h"
+#include "integrators/medium_column.h"
 
 namespace twinray {
+
+/// The part of light that interiors leave along a ray, from where it begins up to its parameter t, which may
+/// be infinite: what is neither absorbed nor scattered.
+inline Rgb transmittance(const Scene& scene, const Interiors& interiors, const Ray& ray, float t) {
+  if (interiors.empty()) return {1, 1, 1};
+  const Interior& medium = scene.materials[interiors.prevailing(scene.materials)].interior;
+  return transmittance(medium.extinction(), MediumColumn(scene, medium, ray, t).amount());
+}
 
 /// How far light has been followed along a ray: up to t_min, behind which its hit is the first one.
 struct Way {
@@ -20,15 +29,13 @@ struct Way {
   std::optional<Flight> flight;  ///< Of a path that media scatter, rather than dim alone.
   bool is_scattered = false;     ///< One has, before the hit.
 
-  /// How far it is to the ray's parameter t.
-  float length_to(float t) const { return (t - ray.t_min) * length(ray.direction); }
   /// Goes on within the interiors up to the parameter t. False where the path is scattered before it.
-  bool goes_on(std::span<const Material> materials, float t) {
-    const Material* const medium = flight ? scattering_medium(materials, interiors) : nullptr;
+  bool goes_on(const Scene& scene, float t) {
+    const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;
     if (medium)
-      is_scattered = flight->ends_within(medium->interior, length_to(t));
+      is_scattered = flight->ends_within(medium->interior, MediumColumn(scene, medium->interior, ray, t));
     else
-      left = left * transmittance(materials, interiors, length_to(t));
+      left = left * transmittance(scene, interiors, ray, t);
     return !is_scattered;
   }
   /// What there is of a path's throughput where it has come to.

@@ -96,8 +96,9 @@ void PathWave::pass_on() {
 void PathWave::absorb() {
   for (std::size_t i = 0; i < paths_.size; ++i)
     if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
-      paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * transmittance(context_.transport, interiors,
-                                                                            wave_.rays[i], wave_.hits[i].t));
+      paths_.throughput.set(
+          i, paths_.throughput.at<Rgb>(i) *
+                 transmittance(context_.transport.scene, interiors, wave_.rays[i], wave_.hits[i].t));
 }
 
 Departure PathWave::departure_from(std::size_t surface) const {
@@ -369,7 +370,7 @@ void PathWave::absorb_light() {
     if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
       connections_.scattered.set(
           i, connections_.scattered.at<Rgb>(i) *
-                 transmittance(context_.transport, interiors, light_.ray(i), light_.t_max[i]));
+                 transmittance(context_.transport.scene, interiors, light_.ray(i), light_.t_max[i]));
 }
 
 void PathWave::add_hemisphere() {
@@ -402,7 +403,8 @@ Rgb PathWave::found_around(std::size_t k) {
   Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
   if (context_.transport.passages) context_.transport.passages->follow(tracer_, way);
   connections_.hits[k] = way.hit;
-  connections_.passed[k] = way.left * transmittance(context_.transport, way.interiors, way.ray, way.hit.t);
+  connections_.passed[k] =
+      way.left * transmittance(context_.transport.scene, way.interiors, way.ray, way.hit.t);
   return lamp_radiance(context_.transport, way.hit, way.ray.direction) * connections_.passed[k];
 }
 

@@ -72,5 +72,8 @@ std::string exchange_light_file(const std::string& path, std::size_t light) {
 std::string exchange_texture_file(const std::string& path, std::size_t texture) {
   return beside(path, fmt::format("-texture-{}.exr", texture));
 }
+std::string exchange_density_file(const std::string& path, std::size_t density) {
+  return beside(path, fmt::format("-density-{}.exr", density));
+}
 
 }  // namespace twinray

@@ -74,5 +74,6 @@ Json described(Described value) {
 std::string exchange_mesh_file(const std::string& path, std::size_t shape);
 std::string exchange_light_file(const std::string& path, std::size_t light);
 std::string exchange_texture_file(const std::string& path, std::size_t texture);
+std::string exchange_density_file(const std::string& path, std::size_t density);
 
 }  // namespace twinray

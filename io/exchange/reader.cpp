@@ -62,6 +62,7 @@ class SceneReader {
     Entry::read(parse(text), path_, warnings_, [&](const Entry& file) {
       check_version(file);
       loaded_.scene.textures = read_textures(file, path_, options_, warnings_);
+      if (file.has("densities")) file.for_each("densities", [&](const Entry& entry) { read_density(entry); });
       read_materials(file);
       if (file.has("atmosphere")) loaded_.scene.atmosphere = file.index("atmosphere");
       if (options_.surfaces_only)
@@ -99,8 +100,10 @@ class SceneReader {
     file.for_each("materials", [&](const Entry& entry) {
       Material material{.name = entry.word("name"), .model = read_model(entry), .textures = {}};
       if (entry.has("interior"))
-        entry.within("interior",
-                     [&](const Entry& inside) { members(MemberReader(inside), material.interior); });
+        entry.within("interior", [&](const Entry& inside) {
+          members(MemberReader(inside), material.interior);
+          if (inside.has("density")) material.interior.density = inside.index("density");
+        });
       if (entry.has("textures"))
         entry.for_each("textures", [&](const Entry& each) {
           TextureUse use;
@@ -130,6 +133,23 @@ class SceneReader {
   void read_picture(const Entry& entry, MeshLight& light) const {
     light.picture = read_picture(entry, has_luminance);
     if (entry.has("uv")) picture_members(MemberReader(entry), light);
+  }
+
+  /// The picture has a grid's slices, one above the other.
+  void read_density(const Entry& entry) {
+    const Json& sizes = entry.list("size", 3);
+    DensityGrid::Size size{};
+    for (std::size_t k = 0; k < 3; ++k)
+      size[k] = int(entry.whole("size", sizes[k], 1, DensityGrid::most_cells));
+    const std::shared_ptr<const Image> picture = read_picture(entry, is_not_negative);
+    if (picture->width != size[0] || std::int64_t(picture->height) != std::int64_t(size[1]) * size[2])
+      entry.fail("file", fmt::format("has {} x {} pixels; the grid needs {} x {}", picture->width,
+                                     picture->height, size[0], std::int64_t(size[1]) * size[2]));
+    std::vector<float> values;
+    for (const Rgb& pixel : picture->pixels) values.push_back(pixel.r);
+    loaded_.scene.densities.push_back(at_place(entry.place(), [&] {
+      return std::make_shared<const DensityGrid>(size, values, read_transform(entry, "to_unit"));
+    }));
   }
 
   void read_lights(const Entry& file) {
@@ -260,19 +280,22 @@ class SceneReader {
             fmt::format("{}: shapes[{}]: its \"light\" must be the one whose \"shape\" it is", path_, shape));
   }
 
+  static Transform read_transform(const Entry& entry, const char* key) {
+    Transform transform;
+    const Json& rows = entry.list(key, 3);
+    for (std::size_t row = 0; row < 3; ++row) {
+      if (!rows[row].is_array() || rows[row].size() != 4) entry.fail(key, "must be 3 rows of 4 numbers");
+      for (std::size_t column = 0; column < 4; ++column)
+        transform.m[row][column] = entry.real(key, rows[row][column]);
+    }
+    return transform;
+  }
+
   std::vector<Instance> read_instances(const Entry& file) const {
     std::vector<Instance> instances;
     if (!file.has("instances")) return instances;
     file.for_each("instances", [&](const Entry& entry) {
-      Instance instance{entry.index("prototype"), {}};
-      const Json& rows = entry.list("to_world", 3);
-      for (std::size_t row = 0; row < 3; ++row) {
-        if (!rows[row].is_array() || rows[row].size() != 4)
-          entry.fail("to_world", "must be 3 rows of 4 numbers");
-        for (std::size_t column = 0; column < 4; ++column)
-          instance.to_world.m[row][column] = entry.real("to_world", rows[row][column]);
-      }
-      instances.push_back(instance);
+      instances.push_back({entry.index("prototype"), read_transform(entry, "to_world")});
     });
     return instances;
   }

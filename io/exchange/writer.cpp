@@ -104,8 +104,10 @@ Json material_json(const Material& material) {
   if (material.bump_map != no_texture) json["bump_map"] = material.bump_map;
   if (material.tangent_degrees != 0) json["tangent_degrees"] = json_of(material.tangent_degrees);
   if (material.tangent_map != no_texture) json["tangent_map"] = material.tangent_map;
-  if (Interior interior = material.interior; has_interior(material))
+  if (Interior interior = material.interior; has_interior(material)) {
     members(MemberWriter(json["interior"]), interior);
+    if (interior.density != no_density) json["interior"]["density"] = interior.density;
+  }
   return json;
 }
 
@@ -148,14 +150,39 @@ Json shapes_json(const Scene& scene, const std::string& path) {
 }
 
 /// With all digits of a double: rays are transformed by these numbers.
+Json rows_of(const Transform& transform) {
+  Json rows = Json::array();
+  for (const auto& row : transform.m) rows.push_back(row);
+  return rows;
+}
+
 Json instances_json(const Scene& scene) {
   Json list = Json::array();
-  for (const auto& [prototype, to_world] : scene.geometry->instances()) {
-    Json rows = Json::array();
-    for (const auto& row : to_world.m) rows.push_back(row);
-    list.push_back({{"prototype", prototype}, {"to_world", rows}});
-  }
+  for (const auto& [prototype, to_world] : scene.geometry->instances())
+    list.push_back({{"prototype", prototype}, {"to_world", rows_of(to_world)}});
   return list;
+}
+
+Json densities_json(const Scene& scene, const std::string& path) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < scene.densities.size(); ++i)
+    list.push_back({{"size", scene.densities[i]->size()},
+                    {"to_unit", rows_of(scene.densities[i]->to_unit())},
+                    {"file", name_of_file(exchange_density_file(path, i))}});
+  return list;
+}
+
+/// The slices of a grid, one above the other.
+Image density_picture(const DensityGrid& grid) {
+  const auto& [nx, ny, nz] = grid.size();
+  Image picture(nx, ny * nz);
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x) {
+        const float value = grid.value(x, y, z);
+        picture.at(x, z * ny + y) = {value, value, value};
+      }
+  return picture;
 }
 
 /// On one line. A name may hold bytes that are no letters.
@@ -217,6 +244,7 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
                      version_of(scene), picture.width, picture.height) +
          render_text(picture) + "  \"camera\": " + line(camera_json(camera)) +
          (has_textures ? list("textures", textures_json(scene, path)) : "") +
+         (scene.densities.empty() ? "" : list("densities", densities_json(scene, path))) +
          list("materials", materials_json(scene)) +
          (has_atmosphere ? fmt::format(",\n  \"atmosphere\": {}", scene.atmosphere) : "") +
          list("lights", lights_json(scene, path)) + list("shapes", shapes_json(scene, path)) +
@@ -239,6 +267,10 @@ WrittenScene written_exchange(const SceneToWrite& input, const std::string& path
     if (const MipMap* picture = picture_of(scene.textures[i]); picture && first[i] == i)
       written.files.push_back({exchange_texture_file(path, i),
                                [picture](const std::string& file) { write_exr(file, picture->image(0)); }});
+  for (std::size_t i = 0; i < scene.densities.size(); ++i)
+    written.files.push_back(
+        {exchange_density_file(path, i),
+         [grid = scene.densities[i]](const std::string& file) { write_exr(file, density_picture(*grid)); }});
   const RenderDefaults& asked = input.picture;
   const ExchangePicture picture{asked.resolution->width,
                                 asked.resolution->height,

@@ -252,6 +252,9 @@ class Properties {
     if (!is_black(made_.material.interior.scattering))
       file_.output.losses.add("what a body scatters within is left out",
                               "what {} materials' bodies scatter within is left out");
+    if (made_.material.interior.density != no_density)
+      file_.output.losses.add("a body whose medium is not even is filled evenly",
+                              "{} materials' bodies, whose media are not even, are filled evenly");
     if (most == 0) return;
     // The color after the way at which the strongest channel is down to 1/e.
     constexpr float log2_e = 1.442695f;

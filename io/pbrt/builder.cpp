@@ -326,6 +326,7 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   scene.assets = std::move(assets_);
   scene.materials = std::move(materials_.materials);
   scene.textures = std::move(materials_.textures.textures);
+  scene.densities = std::move(media_.densities);
   scene.geometry = std::make_shared<const Geometry>(
       cut_out(std::move(placed_.shapes), scene.bindings, scene.textures, std::move(instancing)));
   check_scene(scene);

@@ -31,7 +31,8 @@ const MeasuredMedium* preset_of(const PbrtParameters& parameters, PbrtContext& c
   return known;
 }
 
-Interior read_homogeneous(const PbrtParameters& parameters, PbrtContext& context) {
+/// What a medium absorbs and scatters where its density is 1.
+Interior read_coefficients(const PbrtParameters& parameters, PbrtContext& context) {
   const MeasuredMedium* const preset = preset_of(parameters, context);
   const auto coefficient = [&](const char* name) {
     return color_of(parameters, name, {1, 1, 1}, ColorRole::unbounded, context.files);
@@ -51,20 +52,48 @@ Interior read_homogeneous(const PbrtParameters& parameters, PbrtContext& context
   return interior;
 }
 
+DensityGrid read_grid(const PbrtParameters& parameters, const Transform& to_world) {
+  const auto cells = [&](const char* name) {
+    return parameters.integer(name, 1, {1, double(DensityGrid::most_cells)});
+  };
+  const DensityGrid::Size size{cells("nx"), cells("ny"), cells("nz")};
+  const Vec3 p0 = parameters.point("p0", {0, 0, 0}), p1 = parameters.point("p1", {1, 1, 1});
+  const Vec3 extent = p1 - p0;
+  const Transform box = to_world * Transform::translation(double(p0.x), double(p0.y), double(p0.z)) *
+                        Transform::scaling(double(extent.x), double(extent.y), double(extent.z));
+  const std::span<const float> values = parameters.reals("density");
+  if (values.empty()) parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
+  try {
+    return DensityGrid(size, {values.begin(), values.end()}, box.inverse());
+  } catch (const Error& error) {
+    parameters.place().fail(error.what());
+  }
+}
+
 }  // namespace
 
-void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters) {
+void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters, const Transform& to_world) {
   const std::string type = parameters.text("type", "");
   if (type.empty()) parameters.place().fail("MakeNamedMedium needs the kind of medium, \"string type\"");
   std::shared_ptr<PbrtMedium>& medium = media_[name];
   if (!medium) medium = std::make_shared<PbrtMedium>();
   if (medium->filling) parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
   if (type == "homogeneous") {
-    medium->filling = read_homogeneous(parameters, context_);
+    medium->filling = read_coefficients(parameters, context_);
     return parameters.warn_of_unused(context_.warnings);
   }
-  constexpr std::string_view uneven[] = {"uniformgrid", "rgbgrid", "cloud", "nanovdb"};
-  for (const std::string_view each : uneven)
+  if (type == "uniformgrid") {
+    medium->filling = read_coefficients(parameters, context_);
+    medium->filling->density = std::uint32_t(densities.size());
+    densities.push_back(std::make_shared<const DensityGrid>(read_grid(parameters, to_world)));
+    if (parameters.find("temperature"))
+      parameters.place().warn(context_.warnings, "light of media is not rendered");
+    for (const char* known : {"temperaturescale", "temperatureoffset", "temperaturecutoff"})
+      parameters.find(known);
+    return parameters.warn_of_unused(context_.warnings);
+  }
+  constexpr std::string_view unknown_kinds[] = {"rgbgrid", "cloud", "nanovdb"};
+  for (const std::string_view each : unknown_kinds)
     if (type == each) {
       parameters.place().warn(context_.warnings,
                               fmt::format("a medium of the kind \"{}\" is not rendered: it is clear", type));

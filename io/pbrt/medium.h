@@ -4,7 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/density_grid.h"
 #include "core/material.h"
 #include "io/pbrt/context.h"
 #include "io/pbrt/parameters.h"
@@ -33,12 +35,14 @@ class PbrtMedia {
  public:
   explicit PbrtMedia(PbrtContext& context) : context_(context) {}
 
-  /// MakeNamedMedium. Warns of what is not rendered.
-  void define(const std::string& name, const PbrtParameters& parameters);
+  /// MakeNamedMedium, in a space. Warns of what is not rendered.
+  void define(const std::string& name, const PbrtParameters& parameters, const Transform& to_world);
   /// The medium of that name, which may be made later; null for the one without a name.
   PbrtMediumPointer named(const std::string& name, const PbrtPlace& place);
   /// Throws Error where a name was used that no statement gave.
   void check_all_made() const;
+
+  std::vector<std::shared_ptr<const DensityGrid>> densities;  ///< Of those that are not even.
 
  private:
   PbrtContext& context_;

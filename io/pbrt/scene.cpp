@@ -196,7 +196,7 @@ class Reader {
         break;
       case make_named_medium:
         parameters.set_defaults(states_.defaults(PbrtTarget::medium));
-        builder_.media().define(type, parameters);
+        builder_.media().define(type, parameters, states_.present());
         break;
       case medium_interface:
         state.medium_inside = builder_.media().named(statement.words.front(), statement.place);

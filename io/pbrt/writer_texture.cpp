@@ -34,8 +34,8 @@ Image red_of(Image image) {
 
 /// Whether a texture is of a kind that has no colours in pbrt.
 bool is_number(std::span<const Texture> textures, std::uint32_t index) {
-  if (const auto* placed = std::get_if<PlacedTexture>(&textures[index].model))
-    return is_number(textures, placed->texture);
+  if (const auto* mapped = std::get_if<PlacedTexture>(&textures[index].model))
+    return is_number(textures, mapped->texture);
   const auto* noise = std::get_if<NoiseTexture>(&textures[index].model);
   return noise && noise->pattern != NoisePattern::marble;
 }

@@ -146,9 +146,12 @@ TEST_CASE("a medium that scatters dims what goes straight on, and is found where
   CHECK(scattering_medium(materials, inside) == nullptr);
   inside.enter(0);
   CHECK(scattering_medium(materials, inside) == nullptr);
-  CHECK_FALSE(has_scattering_medium(materials));
+  CHECK_FALSE(has_flights(materials));
+  materials[1].interior.density = 0;
+  CHECK(has_flights(materials));
+  materials[1].interior.density = no_density;
   materials[0].interior.scattering = {1, 3, 0};
-  CHECK(has_scattering_medium(materials));
+  CHECK(has_flights(materials));
   CHECK(scattering_medium(materials, inside) == &materials[0]);
   const Rgb left = transmittance(materials, inside, 0.5f);
   CHECK(left.r == Approx(std::exp(-1.0)));
@@ -181,6 +184,7 @@ TEST_CASE("interiors that cannot be are refused") {
         "material 0 has a scattering of 0 0 -1; each must be finite and >= 0");
   CHECK(error_of(filled({.scattering = {0, INFINITY, 0}})).find("must be finite") != std::string::npos);
   CHECK(error_of(filled({.anisotropy = 1})) == "material 0 has an anisotropy of 1; valid are -0.99 to 0.99");
+  CHECK(error_of(filled({.density = 0})) == "material 0 names density 0; there are 0");
   CHECK(error_of(filled({.anisotropy = NAN})).find("anisotropy") != std::string::npos);
   // A texture may say that what is metal by its number is none.
   Material metal{"metal", Principled{.base_metalness = 1, .transmission_weight = 1}};

@@ -117,11 +117,12 @@ TEST_CASE("points of patches lie where their density says") {
   // chosen by area.
   constexpr int side = 4;
   constexpr int samples = 50000;
+  const float infinite = std::numeric_limits<float>::infinity();
   const std::vector<Mesh> all = lamps();
   for (std::size_t number = 0; number < all.size(); ++number) {
     const Mesh& mesh = all[number];
     const PatchLight light = light_of(mesh);
-    const PatchWeights weights(light, receiver_below), uniform(light, {{0, 0, 0}, {0, 0, 0}});
+    const PatchWeights weights(light, receiver_below), uniform(light, {{infinite, 0, 0}, {1, 0, 0}});
     const auto cell_of = [&](const PatchWeights::Choice& choice) {
       const Vec3 p = position_of(mesh, choice);
       const auto index = [](float x) { return std::clamp(int((x + 1.5f) * side / 4), 0, side - 1); };
@@ -193,8 +194,8 @@ TEST_CASE("a point in a medium sees patches on all sides of it alike") {
   Mesh both = floor_square(1, -2);
   const auto corners = std::uint32_t(both.positions.size());
   for (const Vec3& p : floor_square(1, 2).positions) both.positions.push_back(p);
-  for (const Triangle& t : floor_square(1, 2).triangles)
-    both.triangles.push_back({t.a + corners, t.c + corners, t.b + corners});
+  for (const auto& [a, b, c] : floor_square(1, 2).triangles)
+    both.triangles.push_back({a + corners, c + corners, b + corners});
   const PatchLight light = light_of(both, EmissionSide::front);
   REQUIRE(light.patches.size() == 2);
   const auto density_of = [&](std::uint32_t triangle, const Vec3& from) {
@@ -202,7 +203,7 @@ TEST_CASE("a point in a medium sees patches on all sides of it alike") {
   };
   CHECK(density_of(0, {}) == Approx(1).epsilon(0.1));
   CHECK(density_of(2, {}) == Approx(1).epsilon(0.1));
-  CHECK(density_of(2, {0, 1, 0}) > 3 * density_of(0, {0, 1, 0}));
+  CHECK(density_of(2, {0, 1, 0}) > 2 * density_of(0, {0, 1, 0}));
 }
 
 TEST_CASE("a light is sampled by area where its corners tell nothing") {

@@ -155,7 +155,8 @@ TEST_CASE("a point in a medium is lit by lamps on all sides of it alike") {
   const LightTree tree(lamps);
   CHECK(tree.probability(0, Receiver{{}, {}, true}) == Approx(0.5));
   CHECK(tree.probability(1, Receiver{{}, {}, true}) == Approx(0.5));
-  CHECK(tree.probability(1, Receiver{{0, 0, -3}, {}, true}) > 0.9f);
+  // By the squared distances, 4 and 34.
+  CHECK(tree.probability(1, Receiver{{0, 0, -3}, {}, true}) == Approx(34.0 / 38).epsilon(0.01));
 }
 
 TEST_CASE("a lamp is found from where the middle of those beside it cannot be seen") {

@@ -16,6 +16,13 @@ const Interior colored{.absorption = {0.1f, 0, 0.5f}, .scattering = {0.3f, 2, 5}
 const Interior partial{.absorption = {0.5f, 0, 0}, .scattering = {1, 0, 0.25f}};
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
+/// Along a ray of some length.
+MediumColumn column_of(const Interior& medium, float length) {
+  static const Scene scene;
+  static const Ray ray{.origin = {1, 2, 3}, .direction = {0, 0, 1}};
+  return {scene, medium, ray, length};
+}
+
 /// A medium and the way through it.
 struct Stretch {
   const Interior& medium;
@@ -34,7 +41,7 @@ Sums sums_of(const std::vector<Stretch>& stretches, const Rgb& throughput) {
     Flight flight(throughput, (float(i) + 0.5f) / draws);
     bool has_ended = false;
     for (const Stretch& each : stretches) {
-      has_ended = flight.ends_within(each.medium, each.length);
+      has_ended = flight.ends_within(each.medium, column_of(each.medium, each.length));
       if (has_ended) {
         CHECK_FALSE(flight.distance() < 0);
         CHECK_FALSE(flight.distance() > each.length);
@@ -96,7 +103,7 @@ TEST_CASE("the weights of flights have the mean that light has, whatever their c
 TEST_CASE("a medium of one color gives flights that all weigh its albedo") {
   for (const float u : {0.0f, 0.1f, 0.4f, 0.9f, 0x1.fffffep-1f}) {
     Flight flight({1, 1, 1}, u);
-    REQUIRE(flight.ends_within(grey_medium, infinity));
+    REQUIRE(flight.ends_within(grey_medium, column_of(grey_medium, infinity)));
     CHECK(flight.weight().r == Approx(0.8).epsilon(1e-5));
     CHECK(flight.weight().b == Approx(0.8).epsilon(1e-5));
   }
@@ -106,24 +113,24 @@ TEST_CASE("a flight never goes by a channel in which the path has no light") {
   for (const float u : {0.0f, 0.5f, 0x1.fffffep-1f}) {
     // Only green, for which the medium is not there.
     Flight flight({0, 2, 0}, u);
-    CHECK_FALSE(flight.ends_within(partial, infinity));
+    CHECK_FALSE(flight.ends_within(partial, column_of(partial, infinity)));
     CHECK(flight.weight().g == 1);
     // Red alone, with draws up to the end of all.
     Flight red({3, 0, 0}, u);
-    CHECK(red.ends_within(colored, infinity));
+    CHECK(red.ends_within(colored, column_of(colored, infinity)));
     CHECK(std::isfinite(red.weight().r));
   }
 }
 
 TEST_CASE("no way is too short or too long for a flight") {
   Flight flight({1, 1, 1}, 0.25f);
-  CHECK_FALSE(flight.ends_within(grey_medium, 0));
+  CHECK_FALSE(flight.ends_within(grey_medium, column_of(grey_medium, 0)));
   CHECK(flight.weight() == Rgb{1, 1, 1});
-  CHECK(flight.ends_within(grey_medium, 1e30f));
+  CHECK(flight.ends_within(grey_medium, column_of(grey_medium, 1e30f)));
   CHECK(std::isfinite(flight.distance()));
   Flight through_dense({1, 1, 1}, 0x1.fffffep-1f);
   const Interior dense{.scattering = {1e30f, 1e30f, 1e30f}};
-  CHECK(through_dense.ends_within(dense, 1));
+  CHECK(through_dense.ends_within(dense, column_of(dense, 1)));
   CHECK(std::isfinite(through_dense.weight().r));
 }
 

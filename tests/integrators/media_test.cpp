@@ -41,6 +41,14 @@ Interior grey(float absorption, float scattering) {
           .scattering = {scattering, scattering, scattering}};
 }
 
+/// In a box around the origin.
+std::shared_ptr<const DensityGrid> grid_of(const DensityGrid::Size& size, const std::vector<float>& values,
+                                           double half) {
+  const Transform to_unit =
+      Transform::translation(0.5, 0.5, 0.5) * Transform::scaling(0.5 / half, 0.5 / half, 0.5 / half);
+  return std::make_shared<const DensityGrid>(size, values, to_unit);
+}
+
 /// Of light that comes from +x and is scattered once within a ball of a grey medium, towards the camera at
 /// +z.
 double scattered_once(double absorption, double scattering, double phase) {
@@ -67,6 +75,10 @@ Scene scene_of_media() {
   add(Interface{}, white_fog, {{0, -0.2f, 0.1f}, 0.7f});
   add(Interface{}, smoke, {{0.3f, 0, 0.2f}, 0.3f});
   add(Interface{}, {.absorption = {2, 1, 0}}, {{-0.4f, -0.3f, 0}, 0.4f});
+  Interior uneven = smoke;
+  uneven.density = 0;
+  scene.densities = {grid_of({2, 3, 2}, {0, 9, 4, 1, 0, 3, 8, 0, 2, 5, 9, 1}, 0.6)};
+  add(Interface{}, uneven, {{0.2f, 0.5f, -0.3f}, 0.5f});
   add(Dielectric{.ior = 1.3f}, smoke, {{-0.3f, 0.3f, 0.3f}, 0.25f});
   add(Dielectric{.ior = 1.2f, .roughness = {0.3f, 0.3f}}, white_fog, {{0.5f, -0.5f, -0.2f}, 0.3f});
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
@@ -126,6 +138,26 @@ TEST_CASE("light that a medium does not scatter is what it would be if the mediu
   const PathOptions no_bounce{.max_depth = 0};
   check_same_mean(estimate(scattering, no_bounce, small_picture(16384)),
                   estimate(absorbing, no_bounce, small_picture(16)), 0.03);
+}
+
+TEST_CASE("a medium of a density that is the same all around is even") {
+  Scene uneven = ball_of(Interface{}, smoke);
+  uneven.densities = {grid_of({3, 3, 3}, std::vector<float>(27, 2.0f), 20)};
+  uneven.materials[0].interior.density = 0;
+  Scene even = ball_of(Interface{}, smoke);
+  Interior& dense = even.materials[0].interior;
+  dense.absorption = dense.absorption * 2, dense.scattering = dense.scattering * 2;
+  const PointLight lamp{{0, 3, 1}, {9, 9, 9}, {}};
+  for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights}) {
+    const auto seen = [&](const Scene& scene) {
+      return estimate(under(scene, lamp), {.max_depth = 4, .direct = method}, small_picture(4096));
+    };
+    check_same_mean(seen(uneven), seen(even), 0.06);
+  }
+  // Where it absorbs alone, nothing is left to chance.
+  uneven.materials[0].interior = {.absorption = {0.25f, 0.25f, 0.25f}, .density = 0};
+  CHECK(estimate(under(uneven, constant_sky({1, 1, 1})), {}, small_picture(4)).mean ==
+        Approx(std::exp(-0.25 * 2 * 2)).epsilon(1e-4));
 }
 
 TEST_CASE("a medium is the same in one body and in two that share a face, which no ray sees") {

@@ -333,7 +333,7 @@ MUTANTS = [
            "groups_of(i).move_to(records_[Division::groups][i], throughput);",
            "groups_of(i).move_to(records_[Division::groups][i], {1, 1, 1});",
            "test_integrators", LAMP_WITHIN),
-    Mutant("light fades before a clip plane", "integrators/direct_light.h",
+    Mutant("light fades before a clip plane", "integrators/medium_column.h",
            "(t - ray.t_min) * length(ray.direction)", "t * length(ray.direction)",
            "test_integrators", CAMERA_WITHIN),
     Mutant("a camera is in bodies that are not closed", "integrators/camera_interiors.cpp",

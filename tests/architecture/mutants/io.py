@@ -41,9 +41,9 @@ MUTANTS = [
            "read(at(key), place_of(key), warnings_, take);",
            "take(Entry(at(key), place_of(key), warnings_));", "test_io", UNKNOWN),
     Mutant("transforms in exchange form are floats", "io/exchange/writer.cpp",
-           "for (const auto& row : to_world.m) rows.push_back(row);",
-           "for (const auto& row : to_world.m)\n"
-           "      rows.push_back({float(row[0]), float(row[1]), float(row[2]), float(row[3])});",
+           "for (const auto& row : transform.m) rows.push_back(row);",
+           "for (const auto& row : transform.m)\n"
+           "    rows.push_back({float(row[0]), float(row[1]), float(row[2]), float(row[3])});",
            "test_io", EXCHANGED),
     Mutant("a camera in exchange form is fitted to its picture twice", "io/exchange/reader.cpp",
            "std::nextafter(camera.tan_half_height, 0.0f)", "camera.tan_half_height", "test_io",

@@ -24,12 +24,39 @@ WRITTEN = "written pbrt: media that scatter and the atmosphere come back as they
 OPENPBR = "OpenPBR's clear surface scatters within, and loses at least what it scatters"
 REPLAYED = "a replay says where a medium has scattered the path"
 
+GRID = "what a grid has along a ray is the integral of its trilinear density"
+REACHED = "a grid is reached where so much lies before, and no further than where there is so much"
+AXES = "rays along the axes, in the planes of a grid, and beside it end well"
+COLUMN = "a column of an even medium is as long as the way, and one of a grid as dense"
+UNEVEN = "a medium of a density that is the same all around is even"
+UNIFORM = "a uniformgrid is a medium whose density lies in its box, in the space of its statement"
+
 MUTANTS = [
+    Mutant("a grid's cells are integrated by their middles", "core/density_grid.cpp",
+           "return half * (density(middle - half * node) + density(middle + half * node));",
+           "return half * node * 0 + 2 * half * density(middle);", "test_core", GRID),
+    Mutant("a grid's box ends at the middles of its outer cells", "core/density_grid.cpp",
+           "const double low = 0.5, high = size_[std::size_t(k)] + 0.5;",
+           "const double low = 1, high = size_[std::size_t(k)];", "test_core", GRID),
+    Mutant("a ray beside a grid's box that is parallel to its sides is in it", "core/density_grid.cpp",
+           "if (o < low || o > high) return;", "", "test_core", AXES),
+    Mutant("a grid's lengths are those of the ray's parameter", "core/density_grid.cpp",
+           "return sum * double(length(ray.direction));", "return sum;", "test_core", GRID),
+    Mutant("a grid is reached by what lies in one cell", "core/density_grid.cpp",
+           "rest -= whole;", "", "test_core", REACHED),
+    Mutant("a column of a grid begins at the ray's origin", "integrators/medium_column.h",
+           "double(amount)) - ray_.t_min) *", "double(amount))) *", "test_integrators", COLUMN),
+    Mutant("media that are not even are even", "integrators/medium_column.h",
+           "medium.density == no_density ? nullptr", "medium.density >= 0 ? nullptr",
+           "test_integrators", UNEVEN),
+    Mutant("a uniformgrid lies in the world's space", "io/pbrt/medium.cpp",
+           "const Transform box = to_world * Transform", "const Transform box = Transform",
+           "test_io", UNIFORM),
     Mutant("the rest of a channel's draw is not even", "integrators/flight.cpp",
            "const float rest = std::min(u / channel_of(chance_, channel_), 1 - 0x1p-24f);",
            "const float rest = std::min(u, 1 - 0x1p-24f);", "test_integrators", WEIGHTS),
     Mutant("a flight forgets the depth that it has spent", "integrators/flight.cpp",
-           "depth_ = std::max(depth_ - own * length, 0.0f);", "", "test_integrators", WEIGHTS),
+           "depth_ = std::max(depth_ - own * passed, 0.0f);", "", "test_integrators", WEIGHTS),
     Mutant("a flight is weighted by its own channel alone", "integrators/flight.cpp",
            "if (!has_ended_) return left_ / sum_of(chance_ * left_);",
            "if (!has_ended_) return left_ / channel_of(left_, channel_);", "test_integrators", WEIGHTS),
@@ -39,9 +66,10 @@ MUTANTS = [
     Mutant("a flight may go by a channel that is dark", "integrators/flight.cpp",
            "while (channel_of(chance_, channel_) == 0) --channel_;", "", "test_integrators", CHANNELS),
     Mutant("media that absorb alone end a flight", "integrators/way.h",
-           "const Material* const medium = flight ? scattering_medium(materials, interiors) : nullptr;",
-           "const auto there = interiors.prevailing(materials);\n"
-           "    const Material* const medium = flight && !interiors.empty() ? &materials[there] : nullptr;",
+           "const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;",
+           "const auto there = interiors.prevailing(scene.materials);\n"
+           "    const Material* const medium =\n"
+           "        flight && !interiors.empty() ? &scene.materials[there] : nullptr;",
            "test_integrators", FLIGHT),
     Mutant("a flight's distance is a ray's parameter", "integrators/way.h",
            "flight->distance() / length(ray.direction)", "flight->distance()", "test_integrators", FLIGHT),
@@ -79,7 +107,7 @@ MUTANTS = [
            "!(std::fabs(material.interior.anisotropy) <= PhaseFunction::most_anisotropy)",
            "!(std::fabs(material.interior.anisotropy) <= 1)", "test_core", REFUSED),
     Mutant("a furnace's media scatter nothing", "integrators/furnace.cpp",
-           "if (has_scattering_medium_) way", "if (false) way", "test_integrators", FURNACE),
+           "if (has_flights_) way", "if (false) way", "test_integrators", FURNACE),
     Mutant("a camera in a clear body is in the atmosphere", "integrators/camera_interiors.cpp",
            "if (found.empty() && scene_.atmosphere", "if (scene_.atmosphere", "test_integrators", AIR),
     Mutant("an atmosphere is left out where no shape has an inside", "integrators/camera_interiors.cpp",

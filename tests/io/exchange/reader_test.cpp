@@ -348,6 +348,16 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
   CHECK(without("materials", "reflectance") == "a.json: materials[0]: \"reflectance\" is missing");
   CHECK(wrong("/materials/1/interior", {{"absorption", {0, 0, 0}}, {"priority", 0}, {"anisotropy", 1}}) ==
         "a.json: materials[1]: interior: \"anisotropy\" is 1; it must be from -0.99 to 0.99");
+  const auto wrong_grid = [&](const nlohmann::json& size, const nlohmann::json& rows, const char* file) {
+    return wrong("/densities", {{{"size", size}, {"to_unit", rows}, {"file", file}}});
+  };
+  const nlohmann::json rows{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  CHECK(wrong_grid({0, 1, 1}, rows, "a.exr").starts_with("a.json: densities[0]: \"size\" is 0; "));
+  CHECK(wrong_grid({1, 1}, rows, "a.exr").starts_with("a.json: densities[0]: \"size\" has 2 elements"));
+  CHECK(wrong_grid({1, 1, 1}, rows, "none.exr").find("none.exr") != std::string::npos);
+  CHECK(wrong("/materials/1/interior",
+              {{"absorption", {0, 0, 0}}, {"priority", 0}, {"is_clear", true}, {"density", 3}})
+            .find("material 1") != std::string::npos);
   CHECK(wrong("/atmosphere", 9) == "a.json: the atmosphere is that of material 9; there are 2");
   CHECK(wrong("/atmosphere", 0) == "a.json: the atmosphere is that of material 0, which is not an interface");
   CHECK(wrong("/materials/0", 7) == "a.json: materials[0]: it must be an object");

@@ -47,7 +47,7 @@ TEST_CASE("a key of an exchange form that means nothing is named, with the one t
       Texts{
           "a.json: materials[0]: the key \"transmitance\" means nothing here; is \"transmittance\" meant?"});
   CHECK(warnings_with("/materials/0/k") == Texts{"a.json: materials[0]: the key \"k\" means nothing here"});
-  CHECK(warnings_with("/materials/0/interior/density").size() == 1);
+  CHECK(warnings_with("/materials/0/interior/thickness").size() == 1);
   CHECK(warnings_with("/lights/0/radiance").size() == 1);
   CHECK(warnings_with("/lights/0/attenuation/cubic").size() == 1);
   CHECK(warnings_with("/shapes/0/file").size() == 1);

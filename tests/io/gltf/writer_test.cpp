@@ -403,15 +403,18 @@ TEST_CASE("written gltf: the bounds of positions are said, and shapes without a 
   CHECK(json["buffers"][0]["uri"] == "a.bin");
 }
 
-TEST_CASE("written gltf: what bodies and the atmosphere scatter is named") {
+TEST_CASE("written gltf: what bodies and the atmosphere scatter is named, and what is not even") {
   Principled clear;
   clear.transmission_weight = 1;
   Scene scene = scene_of(triangle(), clear);
-  scene.materials[0].interior = {.absorption = {1, 1, 1}, .scattering = {0, 0, 1}};
+  scene.densities = {
+      std::make_shared<const DensityGrid>(DensityGrid::Size{1, 1, 1}, std::vector<float>{1}, Transform{})};
+  scene.materials[0].interior = {.absorption = {1, 1, 1}, .scattering = {0, 0, 1}, .density = 0};
   scene.materials.push_back({"air", Interface{}, {}, {.scattering = {1, 1, 1}}});
   scene.atmosphere = 1;
   CHECK(round_trip(scene, "a.gltf").warnings ==
         std::vector<std::string>{"what a body scatters within is left out",
+                                 "a body whose medium is not even is filled evenly",
                                  "what fills the space around the camera is left out"});
 }
 

@@ -123,6 +123,10 @@ TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they
       std::make_shared<const Geometry>(std::vector<Shape>(3, SphereSet{"ball", {{{0, 0, 0}, 1}}}));
   scene.bindings = {{0}, {1}, {2}};
   scene.atmosphere = 3;
+  scene.densities = {std::make_shared<const DensityGrid>(DensityGrid::Size{3, 2, 1},
+                                                         std::vector<float>{0, 1, 2, 0.1f, 4, 1.0f / 3},
+                                                         Transform::translation(1, 2, 3))};
+  scene.materials[0].interior.density = 0;
   for (const char* name : {"a.pbrt", "a.json"}) {
     const test::RoundTrip trip = test::round_trip(scene, name);
     // An interface comes behind all others.
@@ -134,7 +138,45 @@ TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they
       CHECK(std::count(interiors.begin(), interiors.end(), scene.materials[std::size_t(i)].interior) == 1);
     REQUIRE(trip.scene.atmosphere < trip.scene.materials.size());
     CHECK(trip.scene.materials[trip.scene.atmosphere].interior == scene.materials[3].interior);
+    REQUIRE(trip.scene.densities.size() == 1);
+    const DensityGrid &read = *trip.scene.densities[0], &written = *scene.densities[0];
+    REQUIRE(read.size() == written.size());
+    for (int x = 0; x < 3; ++x)
+      for (int y = 0; y < 2; ++y) CHECK(read.value(x, y, 0) == written.value(x, y, 0));
+    CHECK(length(read.to_unit().point({5, 6, 7}) - written.to_unit().point({5, 6, 7})) < 1e-5f);
   }
+}
+
+TEST_CASE("a uniformgrid is a medium whose density lies in its box, in the space of its statement") {
+  const auto grid = [](const std::string& parameters) {
+    return "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" " + parameters +
+           " Identity Material \"interface\" MediumInterface \"m\" \"\" " + ball;
+  };
+  const std::string numbers = "\"integer nx\" 2 \"integer nz\" 2 \"float density\" [ 1 2 3 4 ] ";
+  const LoadedScene loaded = load_pbrt_world(
+      "Translate 1 0 0 Scale 2 2 2 " + grid(numbers + "\"point3 p0\" [ -1 0 0 ] \"point3 p1\" [ 1 1 4 ] "
+                                                      "\"rgb sigma_s\" [ 3 3 3 ] \"float g\" 0.5 "));
+  CHECK(loaded.warnings.empty());
+  const Interior& interior = material_of(loaded, 0).interior;
+  CHECK(interior ==
+        Interior{.absorption = {1, 1, 1}, .scattering = {3, 3, 3}, .anisotropy = 0.5f, .density = 0});
+  REQUIRE(loaded.scene.densities.size() == 1);
+  const DensityGrid& read = *loaded.scene.densities[0];
+  CHECK(read.size() == DensityGrid::Size{2, 1, 2});
+  CHECK(read.value(1, 0, 0) == 2);
+  CHECK(read.value(0, 0, 1) == 3);
+  const Vec3 low = read.to_unit().point({-1, 0, 0}), high = read.to_unit().point({3, 2, 8});
+  CHECK(length(low) < 1e-6f);
+  CHECK(length(high - Vec3{1, 1, 1}) < 1e-6f);
+  const auto error = [&](const std::string& parameters) { return pbrt_error(grid(parameters)); };
+  CHECK(error("").find("a uniformgrid needs its numbers, \"float density\"") != std::string::npos);
+  CHECK(error("\"integer ny\" 3 \"float density\" [ 1 2 ]").find("2 numbers; it must have 3") !=
+        std::string::npos);
+  CHECK(error("\"float density\" [ -1 ]").find("must be finite and >= 0") != std::string::npos);
+  CHECK(error("\"integer nx\" 0 \"float density\" [ 1 ]").find("nx") != std::string::npos);
+  CHECK(error(numbers + "\"point3 p1\" [ 1 0 1 ]").find("flat") != std::string::npos);
+  CHECK(warnings_of(grid(numbers + "\"float temperature\" [ 1 2 3 4 ]")) ==
+        std::vector<std::string>{"light of media is not rendered"});
 }
 
 TEST_CASE("OpenPBR's clear surface scatters within, and loses at least what it scatters") {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <limits>
+
+#include "core/density_grid.h"
+#include "core/ray.h"
+#include "core/scene.h"
+
+namespace twinray {
+
+/// How much of a medium lies along a stretch of a ray, from where it begins to its parameter t: its length,
+/// where the medium is even, else that times its density. The scene and the ray must outlive it.
+class MediumColumn {
+ public:
+  MediumColumn(const Scene& scene, const Interior& medium, const Ray& ray, float t)
+      : grid_(medium.density == no_density ? nullptr : scene.densities[medium.density].get()),
+        ray_(ray),
+        t_(t),
+        length_((t - ray.t_min) * length(ray.direction)) {}
+
+  /// May be infinite.
+  float amount() const { return grid_ ? float(grid_->amount(ray_, ray_.t_min, t_)) : length_; }
+  /// How far behind the beginning so much is reached, >= 0; infinite where there is less.
+  float reach(float amount) const {
+    if (!grid_) return amount < length_ ? amount : infinite_;
+    return (grid_->reach(ray_, ray_.t_min, t_, double(amount)) - ray_.t_min) * length(ray_.direction);
+  }
+
+ private:
+  static constexpr float infinite_ = std::numeric_limits<float>::infinity();
+
+  const DensityGrid* grid_;
+  const Ray& ray_;
+  float t_, length_;
+};
+
+}  // namespace twinray

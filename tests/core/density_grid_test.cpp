@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/density_grid.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/error.h"
+#include "tests/support/catch.h"
+#include "tests/support/random.h"
+
+namespace twinray::test {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Random numbers, a third of them 0.
+std::vector<float> some_values(const DensityGrid::Size& size) {
+  Random random(11);
+  std::vector<float> values(std::size_t(size[0] * size[1] * size[2]));
+  for (float& value : values) value = random.below(3) == 0 ? 0 : random.uniform(0, 2);
+  return values;
+}
+
+/// By the definition, in double.
+double density_at(const DensityGrid::Size& size, const std::vector<float>& values, const double (&unit)[3]) {
+  int first[3];
+  double part[3];
+  for (int k = 0; k < 3; ++k) {
+    if (unit[k] < 0 || unit[k] > 1) return 0;
+    const double place = unit[k] * size[std::size_t(k)] - 0.5;
+    first[k] = int(std::floor(place));
+    part[k] = place - first[k];
+  }
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    int at[3];
+    double weight = 1;
+    bool is_inside = true;
+    for (int k = 0; k < 3; ++k) {
+      const int far = corner >> k & 1;
+      at[k] = first[k] + far;
+      weight *= far ? part[k] : 1 - part[k];
+      is_inside = is_inside && at[k] >= 0 && at[k] < size[std::size_t(k)];
+    }
+    if (is_inside) sum += weight * double(values[std::size_t((at[2] * size[1] + at[1]) * size[0] + at[0])]);
+  }
+  return sum;
+}
+
+/// By many small steps.
+double amount_of(const DensityGrid::Size& size, const std::vector<float>& values, const Transform& to_unit,
+                 const Ray& ray, double from, double to) {
+  constexpr int steps = 40000;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double t = from + (to - from) * (i + 0.5) / steps;
+    const double p[3] = {double(ray.origin.x) + double(ray.direction.x) * t,
+                         double(ray.origin.y) + double(ray.direction.y) * t,
+                         double(ray.origin.z) + double(ray.direction.z) * t};
+    double unit[3];
+    for (int k = 0; k < 3; ++k)
+      unit[k] = to_unit.m[k][0] * p[0] + to_unit.m[k][1] * p[1] + to_unit.m[k][2] * p[2] + to_unit.m[k][3];
+    sum += density_at(size, values, unit) * (to - from) / steps;
+  }
+  return sum * double(length(ray.direction));
+}
+
+std::string error_of(const DensityGrid::Size& size, const std::vector<float>& values,
+                     const Transform& to_unit = {}) {
+  try {
+    DensityGrid(size, values, to_unit);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("what a grid has along a ray is the integral of its trilinear density") {
+  const DensityGrid::Size size{5, 3, 4};
+  const std::vector<float> values = some_values(size);
+  const Transform placed =
+      Transform::translation(1, -2, 0.5) * Transform::rotation({1, 2, 3}, 40) * Transform::scaling(2, 1, 3);
+  const Transform to_unit = placed.inverse();
+  const DensityGrid grid(size, values, to_unit);
+  Random random(5);
+  int crossed = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 target = placed.point({random.unit(), random.unit(), random.unit()});
+    const Vec3 origin = target + random.in_ball() * (i % 2 == 0 ? 6.0f : 0.5f);
+    const Ray ray{.origin = origin, .direction = (target - origin) * 0.5f};
+    const double expected = amount_of(size, values, to_unit, ray, 0.5, 3);
+    CHECK(grid.amount(ray, 0.5f, 3) == Approx(expected).epsilon(2e-3).margin(1e-4));
+    crossed += expected > 0.1;
+    // Parts of it add up.
+    CHECK(grid.amount(ray, 0.5f, 1.25f) + grid.amount(ray, 1.25f, 3) ==
+          Approx(grid.amount(ray, 0.5f, 3)).epsilon(1e-9).margin(1e-12));
+  }
+  CHECK(crossed > 20);
+}
+
+TEST_CASE("a grid is reached where so much lies before, and no further than where there is so much") {
+  const DensityGrid::Size size{6, 6, 6};
+  const DensityGrid grid(size, some_values(size), {});
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 origin = Vec3{0.5f, 0.5f, 0.5f} + random.in_ball() * 2.0f;
+    const Ray ray{.origin = origin, .direction = Vec3{random.unit(), random.unit(), random.unit()} - origin};
+    const double whole = grid.amount(ray, 0, infinity);
+    CHECK(grid.reach(ray, 0, infinity, whole * 1.001 + 1e-6) == infinity);
+    if (whole < 1e-3) continue;
+    for (const double part : {1e-3, 0.3, 0.9}) {
+      const float t = grid.reach(ray, 0, infinity, whole * part);
+      REQUIRE(t < infinity);
+      CHECK(grid.amount(ray, 0, t) == Approx(whole * part).epsilon(1e-4).margin(1e-6));
+      CHECK(grid.reach(ray, 0, t * 0.99f, whole * part) == infinity);
+      // From behind its beginning.
+      CHECK(grid.amount(ray, t, grid.reach(ray, t, infinity, whole * (1 - part) * 0.5)) ==
+            Approx(whole * (1 - part) * 0.5).epsilon(1e-3));
+    }
+  }
+}
+
+TEST_CASE("rays along the axes, in the planes of a grid, and beside it end well") {
+  const DensityGrid grid({2, 2, 2}, std::vector<float>(8, 3.0f), {});
+  const auto through = [&](const Vec3& origin, const Vec3& direction) {
+    return grid.amount({.origin = origin, .direction = direction}, 0, infinity);
+  };
+  // Half a cell at either end falls from 3 to 1.5, in each of the other axes nothing where it is the middle.
+  CHECK(through({0.5f, 0.5f, -1}, {0, 0, 1}) == Approx(3 * 0.5 + 2 * 2.25 * 0.25));
+  CHECK(through({0.5f, 0.5f, 9}, {0, 0, -5}) == Approx(3 * 0.5 + 2 * 2.25 * 0.25));
+  CHECK(through({0.25f, 0.75f, -1}, {0, 0, 1}) == Approx(3 * 0.5 + 2 * 2.25 * 0.25));
+  CHECK(through({0.5f, 0.5f, 0.5f}, {0, 0, 1}) == Approx(0.5 * (3 * 0.5 + 2 * 2.25 * 0.25)));
+  CHECK(through({0, 0.5f, -1}, {0, 0, 1}) == Approx(0.5 * (3 * 0.5 + 2 * 2.25 * 0.25)));
+  CHECK(through({2, 0.5f, -1}, {0, 0, 1}) == 0);
+  CHECK(through({0.5f, 0.5f, 2}, {0, 0, 1}) == 0);
+  CHECK(through({0.5f, 0.5f, 1e3f}, {0, 0, -1e15f}) == Approx(3 * 0.5 + 2 * 2.25 * 0.25).epsilon(1e-3));
+}
+
+TEST_CASE("a grid of densities that cannot be is refused") {
+  CHECK(error_of({1, 1, 2}, {0, 1}) == "");
+  CHECK(error_of({0, 1, 1}, {}) == "a grid of 0 x 1 x 1 densities; each must be from 1 to 16384");
+  CHECK(error_of({20000, 1, 1}, {1}).find("each must be from 1 to 16384") != std::string::npos);
+  CHECK(error_of({2, 1, 1}, {1}) == "a grid of 2 x 1 x 1 densities has 1 numbers; it must have 2");
+  CHECK(error_of({1, 1, 1}, {-1}) == "a density is -1; it must be finite and >= 0");
+  CHECK(error_of({1, 1, 1}, {infinity}).find("finite") != std::string::npos);
+  CHECK(error_of({1, 1, 1}, {1}, Transform::scaling(1, 0, 1)) ==
+        "a grid of densities lies in a box that is flat");
+  const DensityGrid grid({2, 1, 3}, {0, 1, 2, 3, 4, 5}, {});
+  CHECK(grid.value(1, 0, 2) == 5);
+  CHECK(grid.value(0, 0, 1) == 2);
+}
+
+}  // namespace twinray::test
