@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/support/catch.h"
+#include "tests/support/random.h"
 
 namespace twinray::test {
 namespace {
@@ -119,6 +120,24 @@ TEST_CASE("a flight never goes by a channel in which the path has no light") {
     Flight red({3, 0, 0}, u);
     CHECK(red.ends_within(colored, column_of(colored, infinity)));
     CHECK(std::isfinite(red.weight().r));
+  }
+}
+
+TEST_CASE("a draw that is rounded up to all chances goes by no channel that the path does not have") {
+  const Interior blue{.scattering = {0, 0, 1}};
+  Random random(2);
+  for (int i = 0; i < 1000; ++i) {
+    Flight flight({random.unit(), random.unit(), 0}, 0x1.fffffep-1f);
+    REQUIRE_FALSE(flight.ends_within(blue, column_of(blue, 100)));
+    REQUIRE(flight.weight().r == Approx(1));
+  }
+}
+
+TEST_CASE("no channel of a flight weighs more than the reciprocal of its chance") {
+  for (int i = 0; i < 1000; ++i) {
+    Flight through({1, 1, 1}, (float(i) + 0.5f) / 1000);
+    through.ends_within(colored, column_of(colored, 1));
+    CHECK(max_component(through.weight()) <= 3 * (1 + 1e-5f));
   }
 }
 

@@ -3,7 +3,8 @@
 from mutant import Mutant
 
 WEIGHTS = "the weights of flights have the mean that light has, whatever their channel is chosen by"
-CHANNELS = "a flight never goes by a channel in which the path has no light"
+ROUNDED = "a draw that is rounded up to all chances goes by no channel that the path does not have"
+BOUNDED = "no channel of a flight weighs more than the reciprocal of its chance"
 DENSITY = "a phase function is a density over all directions, of the mean cosine that it is made for"
 CHOSEN = "a phase function chooses directions by its density"
 WHITE = "a body that scatters all light cannot be told from a white sky, by every way of finding light"
@@ -59,12 +60,12 @@ MUTANTS = [
            "depth_ = std::max(depth_ - own * passed, 0.0f);", "", "test_integrators", WEIGHTS),
     Mutant("a flight is weighted by its own channel alone", "integrators/flight.cpp",
            "if (!has_ended_) return left_ / sum_of(chance_ * left_);",
-           "if (!has_ended_) return left_ / channel_of(left_, channel_);", "test_integrators", WEIGHTS),
+           "if (!has_ended_) return left_ / channel_of(left_, channel_);", "test_integrators", BOUNDED),
     Mutant("what media absorb is not in the density of a flight's end", "integrators/flight.cpp",
            "sum_of(chance_ * medium_.extinction() * left_)", "sum_of(chance_ * medium_.scattering * left_)",
            "test_integrators", WEIGHTS),
     Mutant("a flight may go by a channel that is dark", "integrators/flight.cpp",
-           "while (channel_of(chance_, channel_) == 0) --channel_;", "", "test_integrators", CHANNELS),
+           "while (channel_of(chance_, channel_) == 0) --channel_;", "", "test_integrators", ROUNDED),
     Mutant("media that absorb alone end a flight", "integrators/way.h",
            "const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;",
            "const auto there = interiors.prevailing(scene.materials);\n"

@@ -10,6 +10,7 @@
 #include "tests/support/pbrt_text.h"
 #include "tests/support/round_trip.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/text.h"
 
 namespace twinray {
 namespace {
@@ -114,6 +115,7 @@ TEST_CASE("what a medium scatters, and where to, is that of its statement or of 
 
 TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they were") {
   Scene scene = test::scene_of(SphereSet{"ball", {{{0, 0, 0}, 1}}}, Dielectric{});
+  scene.materials[0].name = "jelly";
   scene.materials[0].interior = {.absorption = {1, 2, 3}, .scattering = {4, 5, 6}, .anisotropy = 0.25f};
   scene.materials.push_back({.name = "clear", .model = Interface{}, .interior = {.is_clear = true}});
   scene.materials.push_back({.name = "plain", .model = Dielectric{}});
@@ -129,6 +131,10 @@ TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they
   scene.materials[0].interior.density = 0;
   for (const char* name : {"a.pbrt", "a.json"}) {
     const test::RoundTrip trip = test::round_trip(scene, name);
+    if (name == std::string("a.pbrt"))  // Where a ray leaves a body, pbrt asks what is outside.
+      for (const char* inside : {"\"within jelly\"", "\"\"", "\"around all shapes\""})
+        CHECK(test::contains(trip.text,
+                             std::string("\nMediumInterface ") + inside + " \"around all shapes\"\n"));
     // An interface comes behind all others.
     std::vector<Interior> interiors;
     for (const ShapeBinding& binding : trip.scene.bindings)
