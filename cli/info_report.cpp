@@ -46,7 +46,8 @@ Json memory_json(const SceneInfo& info) {
   for (const PictureInfo& picture : info.pictures) pictures += picture.bytes;
   needs["pictures of surfaces"] = pictures;
   needs["pictures of lights"] = info.light_picture_bytes;
-  sum += pictures + info.light_picture_bytes;
+  needs["densities of media"] = info.density_bytes;
+  sum += pictures + info.light_picture_bytes + info.density_bytes;
   for (const MemoryNeed& need : info.needs) {
     needs[need.name] = need.bytes;
     sum += need.bytes;
@@ -85,6 +86,10 @@ Json json_of(const SceneInfo& info) {
   report["materials"] = list(info.materials);
   report["lights"] = list(summary.lights);
   report["pictures"] = list(info.pictures);
+  report["media"] = {{"absorbing", info.media.absorbing},
+                     {"scattering", info.media.scattering},
+                     {"uneven", info.media.uneven},
+                     {"atmosphere", info.media.has_atmosphere}};
   report["memory_bytes"] = memory_json(info);
   report["notes"] = summary.notes;
   report["warnings"] = info.warnings;
@@ -111,6 +116,13 @@ std::string line_of(const PictureInfo& picture) {
                      bytes_text(picture.bytes));
 }
 
+/// Of what fills bodies; empty where nothing does.
+std::string line_of(const MediaInfo& media) {
+  if (media.absorbing + media.scattering == 0) return "";
+  return fmt::format("media: {} that absorb, {} that scatter light, {} of them not even{}\n", media.absorbing,
+                     media.scattering, media.uneven, media.has_atmosphere ? "; an atmosphere" : "");
+}
+
 }  // namespace
 
 std::string info_text(const SceneInfo& info) {
@@ -129,6 +141,7 @@ std::string info_text(const SceneInfo& info) {
   append(
       text, info.pictures, [](const PictureInfo& p) { return p.bytes; },
       [](const PictureInfo& p) { return line_of(p); });
+  text += line_of(info.media);
   const Json memory = memory_json(info);
   for (const auto& [name, bytes] : memory.items())
     if (bytes.get<std::uint64_t>() > 0)

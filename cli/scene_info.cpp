@@ -39,6 +39,17 @@ std::vector<MaterialInfo> materials_of(const Scene& scene) {
   return materials;
 }
 
+MediaInfo media_of(const Scene& scene) {
+  MediaInfo media{.has_atmosphere = scene.atmosphere != no_material};
+  for (const Material& material : scene.materials) {
+    const Interior& interior = material.interior;
+    if (is_black(interior.extinction())) continue;
+    ++(is_black(interior.scattering) ? media.absorbing : media.scattering);
+    media.uneven += interior.density != no_density;
+  }
+  return media;
+}
+
 std::vector<PictureInfo> pictures_of(const Scene& scene) {
   std::vector<PictureInfo> pictures;
   for (const Texture& texture : scene.textures)
@@ -91,6 +102,8 @@ SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
   }
   info.geometry_bytes += scene.geometry->instances().size() * (sizeof(Instance) + sizeof(PlacedInstance));
   info.light_picture_bytes = light_picture_bytes(scene);
+  for (const auto& grid : scene.densities) info.density_bytes += grid->bytes();
+  info.media = media_of(scene);
   info.materials = materials_of(scene);
   info.pictures = pictures_of(scene);
   for (const Diagnostic& warning : loaded.warnings) info.warnings.push_back(warning.text());

@@ -24,6 +24,14 @@ struct PictureInfo {
   std::uint64_t bytes = 0;  ///< In memory, with its mip-map.
 };
 
+/// What fills bodies, by the materials of their boundaries.
+struct MediaInfo {
+  std::size_t absorbing = 0;   ///< Those that absorb alone,
+  std::size_t scattering = 0;  ///< that scatter light,
+  std::size_t uneven = 0;      ///< and, of both, whose density is not even.
+  bool has_atmosphere = false;
+};
+
 /// What is in a scene.
 struct SceneInfo {
   std::string scene;
@@ -32,6 +40,8 @@ struct SceneInfo {
   std::size_t cut_out_triangles = 0;
   std::uint64_t geometry_bytes = 0;
   std::uint64_t light_picture_bytes = 0;  ///< Of pictures that lights shine by.
+  std::uint64_t density_bytes = 0;        ///< Of media that are not even.
+  MediaInfo media;
   std::vector<MaterialInfo> materials;
   std::vector<PictureInfo> pictures;
   std::vector<std::string> files;  ///< That it was read from, each once.

@@ -29,7 +29,7 @@ DensityGrid::DensityGrid(const Size& size, const std::vector<float>& values, con
     throw Error(fmt::format("a grid of {} x {} x {} densities has {} numbers; it must have {}", size[0],
                             size[1], size[2], values.size(), cells));
   if (!(std::fabs(to_unit.determinant()) > 0) || !std::isfinite(to_unit.determinant()))
-    throw Error("a grid of densities lies in a box that is flat");
+    throw Error("a grid of densities lies in a box that is flat or too large");
   padded_.resize(std::size_t(size[0] + 2) * std::size_t(size[1] + 2) * std::size_t(size[2] + 2));
   auto next = values.begin();
   for (int z = 1; z <= size[2]; ++z)

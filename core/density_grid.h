@@ -28,6 +28,8 @@ class DensityGrid {
 
   const Size& size() const { return size_; }
   const Transform& to_unit() const { return to_unit_; }
+  /// In memory.
+  std::size_t bytes() const { return padded_.size() * sizeof(float); }
   /// That of a cell.
   float value(int x, int y, int z) const { return padded_[place(x + 1, y + 1, z + 1)]; }
 

@@ -109,7 +109,7 @@ Rgb transmittance(std::span<const Material> materials, const Interiors& interior
 }
 
 Rgb transmittance(const Rgb& extinction, float amount) {
-  const auto channel = [&](float e) { return e > 0 ? exp_of(-e * amount) : 1.0f; };
+  const auto channel = [&](float e) { return e >= least_extinction ? exp_of(-e * amount) : 1.0f; };
   return {channel(extinction.r), channel(extinction.g), channel(extinction.b)};
 }
 

@@ -50,6 +50,8 @@ const Material* scattering_medium(std::span<const Material> materials, const Int
 /// The part of light that is left behind a way through interiors whose media are even, neither absorbed nor
 /// scattered; `length` may be infinite.
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length);
+/// An extinction below it is none: within the distances that floats have, it dims nothing.
+inline constexpr float least_extinction = 1e-30f;
 /// The same of one medium, by how much of it there is.
 Rgb transmittance(const Rgb& extinction, float amount);
 

@@ -124,6 +124,8 @@ void check_interior(const Scene& scene, std::size_t index) {
   if (!is_finite(scattering) || std::min({scattering.r, scattering.g, scattering.b}) < 0)
     throw Error(fmt::format("material {} has a scattering of {:g} {:g} {:g}; each must be finite and >= 0",
                             index, scattering.r, scattering.g, scattering.b));
+  if (!is_finite(material.interior.extinction()))
+    throw Error(fmt::format("material {} absorbs and scatters more than a number can say", index));
   if (!(std::fabs(material.interior.anisotropy) <= PhaseFunction::most_anisotropy))
     throw Error(fmt::format("material {} has an anisotropy of {:g}; valid are -{:g} to {:g}", index,
                             material.interior.anisotropy, PhaseFunction::most_anisotropy,

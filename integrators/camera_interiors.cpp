@@ -55,22 +55,26 @@ void CameraInteriors::find(std::span<CameraSample> samples) const {
 }
 
 Interiors CameraInteriors::at(const Vec3& point) const {
-  Interiors found;
-  if (bodies_.contains(Aabb{point, point})) found = along(aslant, point).shared_with(along(-aslant, point));
-  if (found.empty() && scene_.atmosphere != no_material) found.enter(scene_.atmosphere);
-  return found;
+  if (!bodies_.contains(Aabb{point, point})) return around_all();
+  return along(aslant, point).shared_with(along(-aslant, point));
+}
+
+Interiors CameraInteriors::around_all() const {
+  Interiors interiors;
+  if (scene_.atmosphere != no_material) interiors.enter(scene_.atmosphere);
+  return interiors;
 }
 
 Interiors CameraInteriors::along(const Vec3& direction, const Vec3& point) const {
   const Vec3 way = direction * (2 * length(accelerator_.bounds().extent()));
   Ray ray{.origin = point - way, .direction = way, .t_max = 1};
-  StraightOn through(scene_, {});
+  StraightOn through(scene_, around_all());
   for (int crossings = 0; crossings < most_crossings; ++crossings) {
     const Hit hit = accelerator_.closest_hit(ray);
     if (hit.is_miss()) return through.interiors();
     through.pass(hit, ray);
   }
-  return {};
+  return around_all();
 }
 
 }  // namespace twinray

@@ -13,8 +13,8 @@ namespace twinray {
 /// Where camera rays start: in which interiors of a scene.
 ///
 /// A point is in what a straight way to it from outside of the scene has entered and not left. Two opposite
-/// ways must agree, so that nothing is in a body that is not closed. A point that is in none is in the
-/// scene's atmosphere.
+/// ways must agree, so that nothing is in a body that is not closed. Around all bodies is the scene's
+/// atmosphere.
 class CameraInteriors {
  public:
   /// The scene and the accelerator, which is one of its geometry, must outlive it.
@@ -24,6 +24,8 @@ class CameraInteriors {
 
  private:
   Interiors at(const Vec3& point) const;
+  /// What there is outside of all bodies.
+  Interiors around_all() const;
   /// What a way along `direction` is in where it ends.
   Interiors along(const Vec3& direction, const Vec3& point) const;
 

@@ -33,13 +33,13 @@ bool Flight::ends_within(const Interior& medium, const MediumColumn& column) {
   const Rgb extinction = medium.extinction();
   const float own = channel_of(extinction, channel_);
   // Infinite where the channel is not dimmed.
-  const float amount = own > 0 ? depth_ / own : infinity;
+  const float amount = own >= least_extinction ? depth_ / own : infinity;
   distance_ = column.reach(amount);
   has_ended_ = distance_ < infinity;
   const float passed = has_ended_ ? amount : column.amount();
   if (has_ended_)
     medium_ = medium;
-  else if (own > 0)
+  else if (own >= least_extinction)
     depth_ = std::max(depth_ - own * passed, 0.0f);
   left_ = left_ * transmittance(extinction, passed);
   return has_ended_;

@@ -147,9 +147,9 @@ class SceneReader {
                                      picture->height, size[0], std::int64_t(size[1]) * size[2]));
     std::vector<float> values;
     for (const Rgb& pixel : picture->pixels) values.push_back(pixel.r);
-    loaded_.scene.densities.push_back(at_place(entry.place(), [&] {
-      return std::make_shared<const DensityGrid>(size, values, read_transform(entry, "to_unit"));
-    }));
+    const Transform to_unit = read_transform(entry, "to_unit");
+    loaded_.scene.densities.push_back(
+        at_place(entry.place(), [&] { return std::make_shared<const DensityGrid>(size, values, to_unit); }));
   }
 
   void read_lights(const Entry& file) {

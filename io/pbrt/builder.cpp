@@ -12,6 +12,7 @@
 #include "core/mesh_area.h"
 #include "core/radiance.h"
 #include "core/shading_map.h"
+#include "io/encloses.h"
 #include "io/placed_mesh.h"
 
 namespace twinray {
@@ -48,8 +49,9 @@ void add_default_uvs(Mesh& mesh) {
 /// Whether light may get through a surface that has no inside of its own. Within others no medium is seen.
 bool is_no_body(const SurfaceModel& model) {
   const auto* const sheet = std::get_if<Dielectric>(&model);
+  const auto* const layers = std::get_if<Principled>(&model);
   return std::holds_alternative<Mix>(model) || std::holds_alternative<DiffuseTransmission>(model) ||
-         (sheet && sheet->is_thin);
+         (sheet && sheet->is_thin) || (layers && layers->geometry_thin_walled);
 }
 
 /// What a surface of OpenPBR emits along its normal: a coat tints it, and keeps what it reflects.
@@ -93,6 +95,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
                   state.material,
                   may_dim(within) || may_dim(without),
                   within,
+                  without,
                   is_dark ? nullptr : state.area_light,
                   alpha,
                   parameters.place(),
@@ -132,7 +135,8 @@ void PbrtBuilder::place(const Part& part, const Transform& to_world, Placed& pla
   placed.shapes.push_back(std::move(shape));
   ShapeBinding binding{part.material, no_light, part.alpha, part.asset};
   if (emits) add_emission(part, binding);
-  if (part.is_filled) placed.fillings.emplace(placed.bindings.size(), Filling{part.within, part.place});
+  if (part.is_filled)
+    placed.fillings.emplace(placed.bindings.size(), Filling{part.within, part.without, part.place});
   placed.bindings.push_back(binding);
 }
 
@@ -211,8 +215,9 @@ void PbrtBuilder::fill_interiors() {
     std::uint32_t& material = placed_.bindings[shape].material;
     const Material& surface = materials_.materials[material];
     if (is_no_body(surface.model) && interior != Interior{})
-      filling.place.warn(context_.warnings,
-                         "a medium is rendered within a dielectric or an interface alone, not here");
+      filling.place.warn(
+          context_.warnings,
+          "a medium is rendered within a dielectric, an interface or a clear openpbr alone, not here");
     if (!lets_light_in(surface)) continue;
     const auto [entry, is_new] = filled.try_emplace({material, filling.medium}, 0);
     if (is_new) entry->second = add_filled(material, interior);
@@ -220,11 +225,20 @@ void PbrtBuilder::fill_interiors() {
   }
 }
 
-std::uint32_t PbrtBuilder::add_atmosphere() {
-  const Interior filling = filling_of(around_camera_);
+/// The outermost shape around the camera says what is around it, too; without one the camera does.
+std::uint32_t PbrtBuilder::add_atmosphere(std::size_t direct_shapes) {
+  PbrtMediumPointer medium = around_camera_;
+  float largest = 0;
+  for (const auto& [index, filling] : placed_.fillings) {
+    if (index >= direct_shapes) break;
+    const Shape& shape = placed_.shapes[index];
+    const float size = length(bounds_of(shape).extent());
+    if (size > largest && encloses(shape, camera_)) medium = filling.outside, largest = size;
+  }
+  const Interior filling = filling_of(medium);
   if (filling == Interior{}) return no_material;
   materials_.materials.push_back(
-      {.name = "what is around the camera", .model = Interface{}, .interior = filling});
+      {.name = "what is around all shapes", .model = Interface{}, .interior = filling});
   return std::uint32_t(materials_.materials.size() - 1);
 }
 
@@ -308,10 +322,11 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   materials_.check_all_made();
   media_.check_all_made();
   for (const Part& part : passed_) place(part, part.to_world, placed_);
+  const std::size_t direct_shapes = placed_.shapes.size();
   Instancing instancing = place_objects();
   fill_interiors();
   add_glow();
-  const std::uint32_t atmosphere = add_atmosphere();
+  const std::uint32_t atmosphere = add_atmosphere(direct_shapes);
   LoadedScene loaded;
   Scene& scene = loaded.scene;
   scene.lights = std::move(shape_lights_);

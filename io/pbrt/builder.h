@@ -23,8 +23,11 @@ class PbrtBuilder {
 
   PbrtMaterials& materials() { return materials_; }
   PbrtMedia& media() { return media_; }
-  /// What a camera is in that stands in no shape.
-  void surround_camera(PbrtMediumPointer medium) { around_camera_ = std::move(medium); }
+  /// Where the camera stands, and in what if no shape is around it.
+  void place_camera(const Vec3& position, PbrtMediumPointer medium) {
+    camera_ = position;
+    around_camera_ = std::move(medium);
+  }
 
   void add_shape(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
   void add_light(const std::string& type, const PbrtParameters& parameters, const PbrtState& state);
@@ -48,8 +51,8 @@ class PbrtBuilder {
     Transform to_world;
     bool is_reversed;
     std::uint32_t material;
-    bool is_filled;            ///< Its inside or outside is another medium than what lies around.
-    PbrtMediumPointer within;  ///< Of one that is filled.
+    bool is_filled;                     ///< Its inside or outside is another medium than what lies around.
+    PbrtMediumPointer within, without;  ///< Of one that is filled.
     std::shared_ptr<const PbrtAreaLight> light;
     std::uint32_t alpha;
     PbrtPlace place;
@@ -66,7 +69,7 @@ class PbrtBuilder {
   };
   /// What a shape is filled with.
   struct Filling {
-    PbrtMediumPointer medium;
+    PbrtMediumPointer medium, outside;
     PbrtPlace place;  ///< Of the shape.
   };
   /// Shapes in their places, what they wear, and what is within them.
@@ -101,14 +104,15 @@ class PbrtBuilder {
   void fill_interiors();
   /// A material with that in it in place of its own; a clear filling leaves its own.
   std::uint32_t add_filled(std::uint32_t material, const Interior& filling);
-  /// What fills the space around the camera, as a material; no_material where nothing does.
-  std::uint32_t add_atmosphere();
+  /// What fills the space around all shapes, as a material; no_material where nothing does.
+  std::uint32_t add_atmosphere(std::size_t direct_shapes);
   /// Makes lights of shapes whose materials emit by themselves.
   void add_glow();
 
   PbrtContext& context_;
   PbrtMaterials materials_;
   PbrtMedia media_;
+  Vec3 camera_;
   PbrtMediumPointer around_camera_;
   Placed placed_;             ///< All that stands in the scene directly and, at the end, what instances show.
   std::vector<Part> passed_;  ///< Those that stand in it last.

@@ -275,10 +275,10 @@ SurfaceModel read_principled(const Inputs& in) {
 /// colour says to be lost, all channels absorb more, so that none absorbs less than nothing: as OpenPBR has
 /// it.
 Interior filling_within(const Principled& model, const Inputs& in) {
-  constexpr float least = 1e-4f, most = PhaseFunction::most_anisotropy;
+  constexpr float least = 1e-4f, least_depth = 1e-30f, most = PhaseFunction::most_anisotropy;
   const Rgb scatter = in.color("transmission_scatter", {}), color = model.transmission_color;
   const float anisotropy = in.parameters.real("transmission_scatter_anisotropy", 0, {-1, 1});
-  if (model.transmission_depth == 0) return {};
+  if (model.transmission_depth < least_depth) return {};
   const auto channel = [&](float c) { return std::max(0.0f, -log_of(std::max(c, least))); };
   const Rgb lost = Rgb{channel(color.r), channel(color.g), channel(color.b)} - scatter;
   const float short_of = std::max(0.0f, -std::min({lost.r, lost.g, lost.b}));

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/aabb.h"
 #include "core/phase_function.h"
 #include "io/pbrt/measured_media.h"
 #include "io/pbrt/spectrum.h"
@@ -32,8 +33,8 @@ const MeasuredMedium* preset_of(const PbrtParameters& parameters, PbrtContext& c
 }
 
 /// What a medium absorbs and scatters where its density is 1.
-Interior read_coefficients(const PbrtParameters& parameters, PbrtContext& context) {
-  const MeasuredMedium* const preset = preset_of(parameters, context);
+Interior read_coefficients(const PbrtParameters& parameters, const MeasuredMedium* preset,
+                           PbrtContext& context) {
   const auto coefficient = [&](const char* name) {
     return color_of(parameters, name, {1, 1, 1}, ColorRole::unbounded, context.files);
   };
@@ -57,9 +58,11 @@ DensityGrid read_grid(const PbrtParameters& parameters, const Transform& to_worl
     return parameters.integer(name, 1, {1, double(DensityGrid::most_cells)});
   };
   const DensityGrid::Size size{cells("nx"), cells("ny"), cells("nz")};
-  const Vec3 p0 = parameters.point("p0", {0, 0, 0}), p1 = parameters.point("p1", {1, 1, 1});
-  const Vec3 extent = p1 - p0;
-  const Transform box = to_world * Transform::translation(double(p0.x), double(p0.y), double(p0.z)) *
+  Aabb corners;  // Of any order.
+  corners.extend(parameters.point("p0", {0, 0, 0}));
+  corners.extend(parameters.point("p1", {1, 1, 1}));
+  const Vec3 &low = corners.lower, extent = corners.extent();
+  const Transform box = to_world * Transform::translation(double(low.x), double(low.y), double(low.z)) *
                         Transform::scaling(double(extent.x), double(extent.y), double(extent.z));
   const std::span<const float> values = parameters.reals("density");
   if (values.empty()) parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
@@ -79,11 +82,11 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
   if (!medium) medium = std::make_shared<PbrtMedium>();
   if (medium->filling) parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
   if (type == "homogeneous") {
-    medium->filling = read_coefficients(parameters, context_);
+    medium->filling = read_coefficients(parameters, preset_of(parameters, context_), context_);
     return parameters.warn_of_unused(context_.warnings);
   }
   if (type == "uniformgrid") {
-    medium->filling = read_coefficients(parameters, context_);
+    medium->filling = read_coefficients(parameters, nullptr, context_);
     medium->filling->density = std::uint32_t(densities.size());
     densities.push_back(std::make_shared<const DensityGrid>(read_grid(parameters, to_world)));
     if (parameters.find("temperature"))

@@ -23,7 +23,7 @@ constexpr std::array within_world{
     named_material,    object_begin,    object_end,    object_instance, reverse_orientation, shape,
     texture,           import_begin};
 
-constexpr std::array placed{camera, light_source, object_instance, shape, texture};
+constexpr std::array placed{camera, light_source, make_named_medium, object_instance, shape, texture};
 
 template <std::size_t n>
 bool is_among(PbrtDirective directive, const std::array<PbrtDirective, n>& list) {
@@ -126,10 +126,11 @@ class Reader {
     const PbrtParameters& parameters = statement.parameters;
     switch (statement.directive) {
       case camera:
-        builder_.surround_camera(states_.now().medium_outside);
         camera_ = read_camera(statement.words[0], parameters, context_);
         states_.open_shutter(camera_.shutter.open);
         camera_.to_world = states_.camera_transform();
+        builder_.place_camera(camera_.to_world ? camera_.to_world->point({0, 0, 0}) : Vec3{},
+                              states_.now().medium_outside);
         states_.name_camera();
         return true;
       case film: {

@@ -9,6 +9,7 @@
 #include "io/pbrt/writer_camera.h"
 #include "io/pbrt/writer_light.h"
 #include "io/pbrt/writer_material.h"
+#include "io/pbrt/writer_media.h"
 #include "io/pbrt/writer_texture.h"
 #include "io/ply/ply.h"
 
@@ -38,9 +39,9 @@ Mesh with_outward_normals(Mesh mesh) {
 /// Writes the shapes, which name materials that stand before them.
 class Shapes {
  public:
-  Shapes(const Scene& scene, const PbrtMaterialTexts& materials, PbrtTextureWriter& textures,
-         SceneOutput& output)
-      : scene_(scene), materials_(materials), textures_(textures), output_(output) {}
+  Shapes(const Scene& scene, const PbrtMaterialTexts& materials, const PbrtMediaWriter& media,
+         PbrtTextureWriter& textures, SceneOutput& output)
+      : scene_(scene), materials_(materials), media_(media), textures_(textures), output_(output) {}
 
   std::string text() {
     const Geometry& geometry = *scene_.geometry;
@@ -66,7 +67,7 @@ class Shapes {
   void add(std::uint32_t shape) {
     const ShapeBinding& binding = scene_.bindings[shape];
     text_ += pbrt_comment(std::visit([](const auto& s) { return s.name; }, scene_.geometry->shapes()[shape]));
-    text_ += "AttributeBegin\n" + materials_.interior[binding.material] +
+    text_ += "AttributeBegin\n" + media_.interface_of(shape) +
              fmt::format("NamedMaterial {}\n", pbrt_string(materials_.names[binding.material]));
     if (binding.light != no_light) text_ += pbrt_area_light(scene_, binding.light, output_);
     const std::string alpha = alpha_of(binding);
@@ -110,6 +111,7 @@ class Shapes {
 
   const Scene& scene_;
   const PbrtMaterialTexts& materials_;
+  const PbrtMediaWriter& media_;
   PbrtTextureWriter& textures_;
   SceneOutput& output_;
   std::string text_;
@@ -124,8 +126,9 @@ WrittenScene written_pbrt(const SceneToWrite& input, const std::string& path) {
   const std::string view = pbrt_view(input, output);
   const PbrtMaterialTexts materials = pbrt_materials(*scene, textures, output);
   const std::string lights = pbrt_lights(*scene, output);
-  const std::string shapes = Shapes(*scene, materials, textures, output).text();
-  WrittenScene written = output.finish(materials.view + view + "WorldBegin\n" + textures.text +
+  const PbrtMediaWriter media(*scene, materials.names, output.losses);
+  const std::string shapes = Shapes(*scene, materials, media, textures, output).text();
+  WrittenScene written = output.finish(media.view() + view + "WorldBegin\n" + media.world() + textures.text +
                                        materials.text + lights + shapes);
   written.scene = scene;
   return written;

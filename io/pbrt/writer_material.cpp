@@ -170,62 +170,6 @@ class Parameters {
   std::string text_;
 };
 
-std::string medium_name(const std::string& material) { return "within " + material; }
-
-std::string grid_text(const DensityGrid& grid) {
-  const auto& [nx, ny, nz] = grid.size();
-  std::string text = pbrt_integer("nx", nx) + pbrt_integer("ny", ny) + pbrt_integer("nz", nz);
-  text += "\n  \"float density\" [";
-  for (int z = 0; z < nz; ++z)
-    for (int y = 0; y < ny; ++y)
-      for (int x = 0; x < nx; ++x)
-        text += fmt::format("{}{}", x % 16 == 0 ? "\n    " : " ", grid.value(x, y, z));
-  return text + " ]";
-}
-
-/// Where the transform is the identity.
-std::string medium_text(const Scene& scene, const std::string& name, const Interior& interior) {
-  const auto statement = [&](const char* type, const std::string& grid) {
-    return fmt::format("MakeNamedMedium {}{}{}{}{}{}\n", pbrt_string(name), pbrt_word("type", type),
-                       pbrt_rgb("sigma_a", interior.absorption), pbrt_rgb("sigma_s", interior.scattering),
-                       interior.anisotropy != 0 ? pbrt_real("g", interior.anisotropy) : "", grid);
-  };
-  if (interior.density == no_density) return statement("homogeneous", "");
-  const DensityGrid& grid = *scene.densities[interior.density];
-  return pbrt_transform(grid.to_unit().inverse()) + statement("uniformgrid", grid_text(grid)) + "Identity\n";
-}
-
-/// The media inside and outside of shapes.
-std::string between(const std::string& inside, const std::string& outside) {
-  return fmt::format("MediumInterface {} {}\n", pbrt_string(inside), pbrt_string(outside));
-}
-
-/// What fills a material's shapes.
-void add_interior(const Scene& scene, const Material& material, std::size_t index, PbrtMaterialTexts& made,
-                  Losses& losses) {
-  if (material.interior.priority != 0)
-    losses.add("the priority of a body that overlaps others is left out",
-               "the priorities of {} materials of bodies that overlap are left out");
-  if (is_black(material.interior.extinction()) || !lets_light_in(material)) return;
-  const std::string name = medium_name(made.names[index]);
-  made.text += medium_text(scene, name, material.interior);
-  made.interior[index] = between(name, made.atmosphere);
-}
-
-/// What is clear within something that is not is parted from it: pbrt asks what a ray comes out into.
-void add_clear_interiors(const Scene& scene, PbrtMaterialTexts& made) {
-  std::string outside = made.atmosphere;
-  if (outside.empty()) {
-    const auto around = std::find_if(made.interior.begin(), made.interior.end(),
-                                     [](const std::string& text) { return !text.empty(); });
-    if (around == made.interior.end()) return;
-    outside = medium_name(made.names[std::size_t(around - made.interior.begin())]);
-  }
-  for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    if (scene.materials[i].interior.is_clear && !made.names[i].empty())
-      made.interior[i] = between("", outside);
-}
-
 /// Those of shapes, and those that mixtures of them are made of.
 std::vector<bool> used_materials(const Scene& scene) {
   std::vector<bool> used(scene.materials.size());
@@ -241,12 +185,6 @@ std::vector<bool> used_materials(const Scene& scene) {
 PbrtMaterialTexts pbrt_materials(const Scene& scene, PbrtTextureWriter& textures, SceneOutput& output) {
   PbrtMaterialTexts made;
   made.names.resize(scene.materials.size());
-  made.interior.resize(scene.materials.size());
-  if (scene.atmosphere != no_material) {
-    made.atmosphere = "around all shapes";
-    made.view = medium_text(scene, made.atmosphere, scene.materials[scene.atmosphere].interior) +
-                between(made.atmosphere, made.atmosphere);
-  }
   UniqueNames names;
   const std::vector<bool> used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -255,9 +193,7 @@ PbrtMaterialTexts pbrt_materials(const Scene& scene, PbrtTextureWriter& textures
     made.names[i] = names.unique(scene.materials[i].name, fmt::format("material {}", i));
     made.text += fmt::format("MakeNamedMaterial {}{}\n", pbrt_string(made.names[i]),
                              Parameters(stand_in, textures, output, made.names).text());
-    add_interior(scene, stand_in.material, i, made, output.losses);
   }
-  add_clear_interiors(scene, made);
   return made;
 }
 

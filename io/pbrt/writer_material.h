@@ -8,13 +8,10 @@
 
 namespace twinray {
 
-/// The materials that shapes have, as named ones, and the media within them.
+/// The materials that shapes have, as named ones.
 struct PbrtMaterialTexts {
-  std::vector<std::string> names;     ///< One for each of the scene's; empty of one that no shape has.
-  std::vector<std::string> interior;  ///< A statement for shapes of the material; mostly empty.
+  std::vector<std::string> names;  ///< One for each of the scene's; empty of one that no shape has.
   std::string text;
-  std::string atmosphere;  ///< The name of the medium around all shapes, if there is one,
-  std::string view;        ///< and the statements that put the camera and all shapes into it.
 };
 PbrtMaterialTexts pbrt_materials(const Scene& scene, PbrtTextureWriter& textures, SceneOutput& output);
 

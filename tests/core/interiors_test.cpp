@@ -183,6 +183,8 @@ TEST_CASE("interiors that cannot be are refused") {
   CHECK(error_of(filled({.scattering = {0, 0, -1}})) ==
         "material 0 has a scattering of 0 0 -1; each must be finite and >= 0");
   CHECK(error_of(filled({.scattering = {0, INFINITY, 0}})).find("must be finite") != std::string::npos);
+  CHECK(error_of(filled({.absorption = {0, 3e38f, 0}, .scattering = {0, 3e38f, 0}})) ==
+        "material 0 absorbs and scatters more than a number can say");
   CHECK(error_of(filled({.anisotropy = 1})) == "material 0 has an anisotropy of 1; valid are -0.99 to 0.99");
   CHECK(error_of(filled({.density = 0})) == "material 0 names density 0; there are 0");
   CHECK(error_of(filled({.anisotropy = NAN})).find("anisotropy") != std::string::npos);

@@ -147,6 +147,11 @@ TEST_CASE("no way is too short or too long for a flight") {
   CHECK(flight.weight() == Rgb{1, 1, 1});
   CHECK(flight.ends_within(grey_medium, column_of(grey_medium, 1e30f)));
   CHECK(std::isfinite(flight.distance()));
+  // Nor is a medium too thin: it is none.
+  const Interior thin{.scattering = {1e-45f, 1e-38f, 1e-31f}};
+  Flight through_thin({1, 1, 1}, 0.5f);
+  CHECK_FALSE(through_thin.ends_within(thin, column_of(thin, infinity)));
+  CHECK(through_thin.weight() == Rgb{1, 1, 1});
   Flight through_dense({1, 1, 1}, 0x1.fffffep-1f);
   const Interior dense{.scattering = {1e30f, 1e30f, 1e30f}};
   CHECK(through_dense.ends_within(dense, column_of(dense, 1)));

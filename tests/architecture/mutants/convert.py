@@ -66,7 +66,7 @@ MUTANTS = [
            "is_remapped_ ? alpha * alpha : alpha", "alpha",
            IO, PBRT_MEANINGS),
     Mutant("media stay outside", "io/pbrt/writer.cpp",
-           '"AttributeBegin\\n" + materials_.interior[binding.material] +', '"AttributeBegin\\n" +',
+           '"AttributeBegin\\n" + media_.interface_of(shape) +', '"AttributeBegin\\n" +',
            IO, "written pbrt: mixtures, bodies that absorb, and names that are not unique"),
     Mutant("materials that no shape has are written", "io/pbrt/writer_material.cpp",
            "    if (!used[i]) continue;\n", "",

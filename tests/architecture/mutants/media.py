@@ -10,7 +10,7 @@ CHOSEN = "a phase function chooses directions by its density"
 WHITE = "a body that scatters all light cannot be told from a white sky, by every way of finding light"
 FURNACE = "in a furnace a body that scatters all light is white"
 ONCE = "light that is scattered once is what the integral along the ray says"
-AIR = "an atmosphere is around the camera and all shapes, but for what has an inside of its own"
+AIR = "an atmosphere is around the camera and all shapes, but not within what has an inside of its own"
 LAYERS = "where a path is scattered by a medium first, layers have no surface, and the picture is covered"
 PARTS = "light that media scatter is transmitted light, and the parts of a picture add up to it"
 LIMITS = "how often media scatter is bounded as light that goes through surfaces is"
@@ -21,7 +21,10 @@ REFUSED = "interiors that cannot be are refused"
 FLIGHT = "a way with a flight is scattered where that ends, in media that scatter alone"
 READ = "what a medium scatters, and where to, is that of its statement or of a measured one"
 OUTSIDE = "a medium that is named outside of the camera is the atmosphere, though it is made later"
-WRITTEN = "written pbrt: media that scatter and the atmosphere come back as they were"
+AROUND = "what pbrt's shapes around the camera have outside is the atmosphere"
+ENCLOSED = "closed shapes enclose what is within them, and nothing else"
+LIES_IN = "written pbrt: each body says what it lies in, and the camera what it stands in"
+THIN = "no way is too short or too long for a flight"
 OPENPBR = "OpenPBR's clear surface scatters within, and loses at least what it scatters"
 REPLAYED = "a replay says where a medium has scattered the path"
 
@@ -109,8 +112,10 @@ MUTANTS = [
            "!(std::fabs(material.interior.anisotropy) <= 1)", "test_core", REFUSED),
     Mutant("a furnace's media scatter nothing", "integrators/furnace.cpp",
            "if (has_flights_) way", "if (false) way", "test_integrators", FURNACE),
-    Mutant("a camera in a clear body is in the atmosphere", "integrators/camera_interiors.cpp",
-           "if (found.empty() && scene_.atmosphere", "if (scene_.atmosphere", "test_integrators", AIR),
+    Mutant("a camera in a body has no atmosphere around that", "integrators/camera_interiors.cpp",
+           "StraightOn through(scene_, around_all());", "StraightOn through(scene_, {});",
+           "test_integrators",
+           AIR),
     Mutant("an atmosphere is left out where no shape has an inside", "integrators/camera_interiors.cpp",
            "if (bodies_.is_empty() && scene_.atmosphere == no_material) return;",
            "if (bodies_.is_empty()) return;",
@@ -132,13 +137,26 @@ MUTANTS = [
            ".scattering = scale * (preset ? preset->scattering : scattering)}",
            ".scattering = preset ? preset->scattering : scale * scattering}", "test_io", READ),
     Mutant("the medium inside of pbrt's camera is around it", "io/pbrt/scene.cpp",
-           "builder_.surround_camera(states_.now().medium_outside);",
-           "builder_.surround_camera(states_.now().medium_inside);",
+           "states_.now().medium_outside);\n        states_.name_camera",
+           "states_.now().medium_inside);\n        states_.name_camera",
            "test_io", OUTSIDE),
-    Mutant("written pbrt: bodies lie in nothing", "io/pbrt/writer_material.cpp",
-           "made.interior[index] = between(name, made.atmosphere);",
-           "made.interior[index] = between(name, \"\");",
-           "test_io", WRITTEN),
+    Mutant("what is outside of shapes around the camera is forgotten", "io/pbrt/builder.cpp",
+           "if (size > largest && encloses(shape, camera_))", "if (size < 0)", "test_io", AROUND),
+    Mutant("of several shapes around the camera the innermost has the atmosphere outside",
+           "io/pbrt/builder.cpp",
+           "medium = filling.outside, largest = size;", "medium = filling.outside;", "test_io", AROUND),
+    Mutant("a point is in what a ray from it leaves and enters again", "io/encloses.cpp",
+           "return crossings % 2 == 1;", "return crossings > 0;", "test_io", ENCLOSED),
+    Mutant("extinctions that no float has distances for are none", "integrators/flight.cpp",
+           "const float amount = own >= least_extinction ?", "const float amount = own > 0 ?",
+           "test_integrators",
+           THIN),
+    Mutant("written pbrt: bodies lie in the atmosphere alone", "io/pbrt/writer_media.cpp",
+           "is_direct ? around(some_point(own), shape) : atmosphere_",
+           "is_direct ? atmosphere_ : atmosphere_",
+           "test_io", LIES_IN),
+    Mutant("written pbrt: the camera stands in no body", "io/pbrt/writer_media.cpp",
+           "around(scene.camera.position, direct.end());", "atmosphere_;", "test_io", LIES_IN),
     Mutant("OpenPBR's clear surface absorbs less than nothing", "io/pbrt/material.cpp",
            "const float short_of = std::max(0.0f, -std::min({lost.r, lost.g, lost.b}));",
            "const float short_of = 0;",

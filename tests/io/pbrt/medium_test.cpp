@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/medium.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -97,6 +99,30 @@ TEST_CASE("a medium that is named outside of the camera is the atmosphere, thoug
   }
 }
 
+TEST_CASE("what pbrt's shapes around the camera have outside is the atmosphere") {
+  const std::string media =
+      tea + std::string(tea).replace(tea.find("tea"), 3, "air").replace(tea.find("1 2 4"), 5, "7 7 7");
+  const auto atmosphere = [&](const std::string& shapes, const char* camera = "") {
+    const Scene scene = test::load_pbrt_text(media + "LookAt 0 0 5  0 0 0  0 1 0 MediumInterface \"\" \"" +
+                                             camera + "\" Camera \"perspective\" WorldBegin " + shapes)
+                            .scene;
+    return scene.atmosphere == no_material ? Rgb{} : scene.materials[scene.atmosphere].interior.absorption;
+  };
+  const auto shell = [](const char* inside, const char* outside, int radius) {
+    return fmt::format(
+        "AttributeBegin Material \"interface\" MediumInterface \"{}\" \"{}\" Translate 0 0 5 "
+        "Shape \"sphere\" \"float radius\" {} AttributeEnd ",
+        inside, outside, radius);
+  };
+  CHECK(atmosphere(shell("tea", "air", 1)) == Rgb{7, 7, 7});
+  CHECK(is_black(atmosphere(shell("tea", "", 1), "tea")));
+  CHECK(atmosphere(shell("", "tea", 1) + shell("tea", "air", 2)) == Rgb{7, 7, 7});
+  CHECK(atmosphere(shell("tea", "air", 2) + shell("", "tea", 1)) == Rgb{7, 7, 7});
+  // Elsewhere shapes say nothing of it.
+  CHECK(atmosphere("Translate 0 0 -9 " + shell("tea", "air", 1), "tea") == Rgb{1, 2, 4});
+  CHECK(is_black(atmosphere("Translate 0 0 -9 " + shell("tea", "air", 1))));
+}
+
 TEST_CASE("what a medium scatters, and where to, is that of its statement or of a measured one") {
   const auto interior = [](const std::string& parameters) {
     const LoadedScene loaded =
@@ -181,6 +207,12 @@ TEST_CASE("a uniformgrid is a medium whose density lies in its box, in the space
   CHECK(error("\"float density\" [ -1 ]").find("must be finite and >= 0") != std::string::npos);
   CHECK(error("\"integer nx\" 0 \"float density\" [ 1 ]").find("nx") != std::string::npos);
   CHECK(error(numbers + "\"point3 p1\" [ 1 0 1 ]").find("flat") != std::string::npos);
+  // The box has corners in any order.
+  const LoadedScene turned =
+      load_pbrt_world(grid(numbers + "\"point3 p0\" [ 1 0 5 ] \"point3 p1\" [ -1 1 1 ]"));
+  CHECK(turned.scene.densities[0]->to_unit().point({-1, 0, 1}) == Vec3{0, 0, 0});
+  CHECK(turned.scene.densities[0]->to_unit().point({1, 1, 5}) == Vec3{1, 1, 1});
+  CHECK(warnings_of(grid(numbers + "\"string preset\" \"Skin1\"")).size() == 1);
   CHECK(warnings_of(grid(numbers + "\"float temperature\" [ 1 2 3 4 ]")) ==
         std::vector<std::string>{"light of media is not rendered"});
 }
@@ -232,7 +264,8 @@ TEST_CASE("a shape with the same medium on both sides divides nothing, as in pbr
 
 TEST_CASE("where no medium absorbs light, nothing is said to be clear") {
   const test::TemporaryFolder folder;
-  const std::string path = folder.file("a.pbrt"), camera = "Camera \"perspective\" WorldBegin ";
+  const std::string path = folder.file("a.pbrt"),
+                    camera = "LookAt 0 0 9  0 0 0  0 1 0 Camera \"perspective\" WorldBegin ";
   const auto interior = [&](const std::string& world) {
     test::write_text(path, camera + world);
     return material_of(load_scene(path, {}), 1).interior;
@@ -288,12 +321,15 @@ TEST_CASE("a medium within a surface that has no inside is named") {
   const std::string mix = "MakeNamedMaterial \"a\" " + glass + "MakeNamedMaterial \"b\" " + glass +
                           "Material \"mix\" \"string materials\" [ \"a\" \"b\" ] ";
   for (const std::string& material :
-       {mix, std::string("Material \"thindielectric\" "), std::string("Material \"diffusetransmission\" ")}) {
+       {mix,
+        std::string(
+            "Material \"openpbr\" \"float transmission_weight\" 1 \"bool geometry_thin_walled\" true "),
+        std::string("Material \"thindielectric\" "), std::string("Material \"diffusetransmission\" ")}) {
     const LoadedScene loaded =
         load_pbrt_world(tea + "MediumInterface \"tea\" \"\" " + material + ball + ball);
     REQUIRE(loaded.warnings.size() == 1);
     CHECK(loaded.warnings[0].message ==
-          "a medium is rendered within a dielectric or an interface alone, not here");
+          "a medium is rendered within a dielectric, an interface or a clear openpbr alone, not here");
     CHECK(loaded.warnings[0].count == 2);
   }
   CHECK(load_pbrt_world(tea + "MediumInterface \"tea\" \"\" Material \"diffuse\" " + ball).warnings.empty());
