@@ -113,6 +113,23 @@ TEST_CASE("info counts the pictures of lights, one of several once") {
   CHECK(bytes(lamps + "Shape \"bilinearmesh\" \"point3 P\" [0 0 1 1 0 1 0 1 1 1 1 1]\n") == picture);
 }
 
+TEST_CASE("info tells of media, and of the memory of those that are not even") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt");
+  write_text(
+      scene,
+      "MakeNamedMedium \"air\" \"string type\" \"homogeneous\" MediumInterface \"\" \"air\" "
+      "LookAt 0 0 9  0 0 0  0 1 0 Camera \"perspective\" WorldBegin "
+      "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [ 1 2 ] "
+      "\"rgb sigma_s\" [ 0 0 0 ] MediumInterface \"m\" \"air\" Material \"interface\" Shape \"sphere\"");
+  const nlohmann::json info = info_of(scene);
+  CHECK(info["media"] ==
+        nlohmann::json{{"absorbing", 1}, {"scattering", 1}, {"uneven", 1}, {"atmosphere", true}});
+  CHECK(info["memory_bytes"]["densities of media"] == 4 * 3 * 3 * 4);
+  CHECK(contains(run_program("info " + quoted(scene)).out,
+                 "media: 1 that absorb, 1 that scatter light, 1 of them not even; an atmosphere\n"));
+}
+
 TEST_CASE("info tells what is stored, and what instances show") {
   const std::string pawns = scenes + "pawns.pbrt";
   const nlohmann::json kept = info_of(pawns, "--instances=keep"), copied = info_of(pawns);
