@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
 #include "tests/support/catch.h"
+#include "tests/support/error_text.h"
 #include "tests/support/random.h"
 
 namespace twinray::test {
@@ -67,12 +67,7 @@ double amount_of(const DensityGrid::Size& size, const std::vector<float>& values
 
 std::string error_of(const DensityGrid::Size& size, const std::vector<float>& values,
                      const Transform& to_unit = {}) {
-  try {
-    DensityGrid(size, values, to_unit);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return error_text([&] { DensityGrid(size, values, to_unit); });
 }
 
 }  // namespace
