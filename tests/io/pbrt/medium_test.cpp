@@ -217,6 +217,18 @@ TEST_CASE("a uniformgrid is a medium whose density lies in its box, in the space
         std::vector<std::string>{"light of media is not rendered"});
 }
 
+TEST_CASE("a grid of densities that moves is something that moves") {
+  const auto is_moving = [](const std::string& transform) {
+    return load_pbrt_world(transform +
+                           "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"float density\" [ 1 ] "
+                           "ActiveTransform All Identity Material \"interface\" MediumInterface \"m\" \"\" " +
+                           ball)
+        .summary.animation.has_value();
+  };
+  CHECK(is_moving("ActiveTransform EndTime Translate 1 0 0 "));
+  CHECK_FALSE(is_moving("Translate 1 0 0 "));
+}
+
 TEST_CASE("OpenPBR's clear surface scatters within, and loses at least what it scatters") {
   const auto interior = [](const std::string& scatter) {
     const LoadedScene loaded = load_pbrt_world(
