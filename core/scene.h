@@ -36,8 +36,7 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<std::shared_ptr<const DensityGrid>> densities;  ///< Of media that are not even.
   Camera camera;
-  /// The material whose interior fills space around all shapes, if any: what a camera is in that stands in
-  /// none of them. An Interface.
+  /// The material whose interior fills space around all bodies, if any. An Interface.
   std::uint32_t atmosphere = no_material;
 };
 

@@ -3,18 +3,10 @@
 
 #include <cmath>
 
+#include "io/axis.h"
+
 namespace twinray {
 namespace {
-
-struct Axis {
-  double x, y, z;
-
-  Axis operator-(const Axis& b) const { return {x - b.x, y - b.y, z - b.z}; }
-  double dot(const Axis& b) const { return x * b.x + y * b.y + z * b.z; }
-  double length() const { return std::sqrt(dot(*this)); }
-  Axis cross(const Axis& b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
-  Axis unit() const { return {x / length(), y / length(), z / length()}; }
-};
 
 Axis column(const Transform& t, int c) { return {t.m[0][c], t.m[1][c], t.m[2][c]}; }
 

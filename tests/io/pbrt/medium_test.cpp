@@ -151,9 +151,9 @@ TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they
       std::make_shared<const Geometry>(std::vector<Shape>(3, SphereSet{"ball", {{{0, 0, 0}, 1}}}));
   scene.bindings = {{0}, {1}, {2}};
   scene.atmosphere = 3;
-  scene.densities = {std::make_shared<const DensityGrid>(DensityGrid::Size{3, 2, 1},
-                                                         std::vector<float>{0, 1, 2, 0.1f, 4, 1.0f / 3},
-                                                         Transform::translation(1, 2, 3))};
+  scene.densities = {std::make_shared<const DensityGrid>(
+      DensityGrid::Size{3, 2, 2}, std::vector<float>{0, 1, 2, 0.1f, 4, 1.0f / 3, 6, 7, 8, 9, 10, 11},
+      Transform::translation(1, 2, 3))};
   scene.materials[0].interior.density = 0;
   for (const char* name : {"a.pbrt", "a.json"}) {
     const test::RoundTrip trip = test::round_trip(scene, name);
@@ -174,7 +174,8 @@ TEST_CASE("written pbrt: media that scatter and the atmosphere come back as they
     const DensityGrid &read = *trip.scene.densities[0], &written = *scene.densities[0];
     REQUIRE(read.size() == written.size());
     for (int x = 0; x < 3; ++x)
-      for (int y = 0; y < 2; ++y) CHECK(read.value(x, y, 0) == written.value(x, y, 0));
+      for (int y = 0; y < 2; ++y)
+        for (int z = 0; z < 2; ++z) CHECK(read.value(x, y, z) == written.value(x, y, z));
     CHECK(length(read.to_unit().point({5, 6, 7}) - written.to_unit().point({5, 6, 7})) < 1e-5f);
   }
 }
