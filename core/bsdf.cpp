@@ -71,6 +71,22 @@ Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
   return std::visit(of, lobes_);
 }
 
+MatteBase Bsdf::matte_base(const Vec3& wo) const {
+  const auto of = [&](const auto& lobe) -> MatteBase {
+    if constexpr (requires { lobe.matte_base(wo); }) return lobe.matte_base(wo);
+    return {};
+  };
+  return std::visit(of, lobes_);
+}
+
+Rgb Bsdf::of_matte_base(const Vec3& wo, const Vec3& wi) const {
+  const auto of = [&](const auto& lobe) -> Rgb {
+    if constexpr (requires { lobe.of_matte_base(wo, wi); }) return lobe.of_matte_base(wo, wi);
+    return {};
+  };
+  return std::visit(of, lobes_);
+}
+
 bool Bsdf::lets_light_through() const {
   const auto of = [](const auto& lobe) {
     using Lobe = std::decay_t<decltype(lobe)>;

@@ -25,6 +25,11 @@ struct LetsLightIn {
 
 bool lets_light_in(const SurfaceModel& model) { return std::visit(LetsLightIn{}, model); }
 
+bool may_have_subsurface(const SurfaceModel& model) {
+  const auto* const principled = std::get_if<Principled>(&model);
+  return std::holds_alternative<CoatedDiffuse>(model) || (principled && !principled->geometry_thin_walled);
+}
+
 const TextureUse* texture_use(const Material& material, MaterialInput input) {
   const auto found = std::find_if(material.textures.begin(), material.textures.end(),
                                   [=](const TextureUse& use) { return use.input == input; });

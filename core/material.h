@@ -220,11 +220,22 @@ struct Interior {
   Rgb extinction() const { return absorption + scattering; }
 };
 
+/// Light below a surface: what its matte base, under all layers, would reflect at once enters the body behind
+/// it, is scattered there, and comes out elsewhere. Flat and large, the body reflects as much as the base.
+struct Subsurface {
+  Rgb radius;            ///< The mean way between scatterings, per channel, > 0; black: there is none below.
+  float anisotropy = 0;  ///< Of what is scattered: core/phase_function.h.
+  float weight = 1;      ///< The part of that light that goes below, in [0, 1]; the base reflects the rest.
+
+  bool operator==(const Subsurface&) const = default;
+};
+
 struct Material {
   std::string name;
   SurfaceModel model = Lambert{};
   std::vector<TextureUse> textures;  ///< In place of the model's own numbers; mostly none.
   Interior interior = {};
+  Subsurface subsurface = {};  ///< Of a CoatedDiffuse or a Principled that is no sheet.
   std::uint32_t normal_map = no_texture;  ///< Textures that bend the shading normal (core/shading_map.h), if
   std::uint32_t bump_map = no_texture;    ///< any: by its own direction, or by a height in scene units.
   /// Of facets of unequal widths: where the tangent is, counter-clockwise from dp/du around the shading
@@ -239,6 +250,10 @@ TextureUse* texture_use(Material& material, MaterialInput input);
 
 /// Whether paths must know that they are within a surface of this material.
 inline bool has_interior(const Material& material) { return material.interior != Interior{}; }
+/// Whether light below a surface of this model is known of.
+bool may_have_subsurface(const SurfaceModel& model);
+/// Whether light is scattered below it.
+inline bool has_subsurface(const Material& material) { return !is_black(material.subsurface.radius); }
 /// Whether there is something within a closed surface of this model.
 bool lets_light_in(const SurfaceModel& model);
 /// The same, whatever its textures make of the model.

@@ -2,6 +2,7 @@
 #include "integrators/interaction.h"
 
 #include "core/surface_model.h"
+#include "core/warp.h"
 
 namespace twinray {
 namespace {
@@ -35,13 +36,22 @@ Interiors behind(const Material& material, std::uint32_t index, Side side, Inter
   return before;
 }
 
+/// Of what is 0 it is 0.
+Rgb ratio(const Rgb& part, const Rgb& whole) {
+  const auto channel = [](float p, float w) { return w > 0 ? p / w : 0; };
+  return {channel(part.r, whole.r), channel(part.g, whole.g), channel(part.b, whole.b)};
+}
+
 float share(float part, float whole) { return part < whole ? part / whole : whole > 0 ? 1.0f : 0.0f; }
 
 }  // namespace
 
 Rgb Interaction::diffuse_share(const Vec3& wi) const {
+  if (is_emerging()) return {1, 1, 1};
   const Vec3 local = to_local(wi);
-  const Rgb all = bsdf_->evaluate(wo_local_, local).value, diffuse = bsdf_->diffuse(wo_local_, local);
+  const Rgb all = value_of_part(local).value;
+  const Rgb diffuse =
+      at_least_zero(bsdf_->diffuse(wo_local_, local) - bsdf_->of_matte_base(wo_local_, local) * weight_below_);
   return {share(diffuse.r, all.r), share(diffuse.g, all.g), share(diffuse.b, all.b)};
 }
 
@@ -98,16 +108,68 @@ Interaction Interaction::in_medium(const Scene& scene, const Vec3& position, con
   return {PhaseFunction(scene.materials[medium].interior.anisotropy), medium, point, wo, viewing.interiors};
 }
 
+Interaction Interaction::emerging(const BsdfTable& bsdfs, const SurfacePoint& point, std::uint32_t material,
+                                  const Vec3& outward, const Viewing& viewing) {
+  Interaction at(bsdfs, point, outward, viewing, {material, side_of(point, outward), viewing.interiors});
+  at.part_ = Part::emerging;
+  // The shape of a matte base is the same to all viewers, or nearly so.
+  at.wo_local_ = {0, 0, 1};
+  at.bsdf_.look_from(at.wo_local_);
+  return at;
+}
+
+void Interaction::keep_above(const Subsurface& subsurface) {
+  part_ = Part::above;
+  weight_below_ = subsurface.weight;
+}
+
+bool Interaction::goes_below(float lobe) const {
+  if (part_ != Part::above) return false;
+  const MatteBase base = bsdf_->matte_base(wo_local_);
+  return lobe >= base.first && lobe < base.first + base.probability * weight_below_;
+}
+
+BsdfSample Interaction::sample_below(Vec2 u) const {
+  const MatteBase base = bsdf_->matte_base(wo_local_);
+  const Vec3 above = square_to_cosine_hemisphere(u);
+  return {.wi = {above.x, above.y, -above.z},
+          .value = ratio(base.albedo, base.reflectance) * (weight_below_ / pi),
+          .pdf = base.probability * weight_below_ * cosine_hemisphere_pdf(above.z),
+          .is_diffuse = true};
+}
+
+BsdfValue Interaction::value_by_base(const Vec3& local) const {
+  const MatteBase base = bsdf_->matte_base(wo_local_);
+  const Rgb value = bsdf_->of_matte_base(wo_local_, local);
+  const float pdf = local.z > 0 ? cosine_hemisphere_pdf(local.z) : 0;
+  if (is_emerging()) return {ratio(value, base.albedo), pdf};
+  const BsdfValue all = bsdf_->evaluate(wo_local_, local);
+  return {at_least_zero(all.value - value * weight_below_),
+          std::max(all.pdf - pdf * base.probability * weight_below_, 0.0f)};
+}
+
 BsdfValue Interaction::phase_value(const Vec3& local) const {
   const float density = phase_->evaluate(-local.z);
   return {{density, density, density}, density};
 }
 
 BsdfSample Interaction::sample(float lobe, Vec2 u) const {
-  if (!phase_) return bsdf_->sample(wo_local_, lobe, u);
-  const Vec3 wi = phase_->sample(u);
-  const auto [value, pdf] = phase_value(wi);
-  return {.wi = wi, .value = value, .pdf = pdf};
+  if (phase_) {
+    const Vec3 wi = phase_->sample(u);
+    const auto [value, pdf] = phase_value(wi);
+    return {.wi = wi, .value = value, .pdf = pdf};
+  }
+  if (is_emerging()) {
+    const Vec3 wi = square_to_cosine_hemisphere(u);
+    const auto [value, pdf] = value_by_base(wi);
+    return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = true};
+  }
+  BsdfSample sample = bsdf_->sample(wo_local_, lobe, u);
+  if (part_ == Part::whole || sample.pdf == 0 || sample.is_delta) return sample;
+  const auto [value, pdf] = value_by_base(sample.wi);
+  sample.value = value;
+  sample.pdf = pdf;
+  return sample;
 }
 
 }  // namespace twinray

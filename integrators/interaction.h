@@ -27,6 +27,13 @@ class Interaction {
   static Interaction in_medium(const Scene& scene, const Vec3& position, const Vec3& wo,
                                const Viewing& viewing);
 
+  /// Of a point of the surface of a material where a path comes out of the body, along `outward`.
+  static Interaction emerging(const BsdfTable& bsdfs, const SurfacePoint& point, std::uint32_t material,
+                              const Vec3& outward, const Viewing& viewing);
+  /// From now on light that goes below the surface (core/subsurface.h) is none that this scatters: where
+  /// goes_below(lobe), the path goes there.
+  void keep_above(const Subsurface& subsurface);
+
   bool is_in_medium() const { return phase_.has_value(); }
   /// In a medium it is a point that rays leave as they are.
   const SurfacePoint& point() const { return point_; }
@@ -40,6 +47,8 @@ class Interaction {
   void keep_bsdf() { bsdf_.keep(); }
   /// Whether light is scattered evenly, so that light samples bring nearly all of it well.
   bool is_lambert() const { return bsdf_->is_lambert(); }
+  /// Whether a path has come out of the body here.
+  bool is_emerging() const { return part_ == Part::emerging; }
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return shading_.frame.normal; }
@@ -61,11 +70,18 @@ class Interaction {
   BsdfValue scattered(const Vec3& wi) const {
     const Vec3 local = to_local(wi);
     if (phase_) return phase_value(local);
-    const auto [value, pdf] = bsdf_->evaluate(wo_local_, local);
+    const auto [value, pdf] = value_of_part(local);
     return {is_consistent(wi) ? value * (std::fabs(local.z) * kept(wi)) : Rgb{}, pdf};
   }
   /// A direction of scattered light, as Bsdf::sample() gives it.
   BsdfSample sample(float lobe, Vec2 u) const;
+  /// Whether the draw `lobe` lets a path go below the surface,
+  bool goes_below(float lobe) const;
+  /// and in which direction then, as sample() gives it: of a base that reflects all of the light below it, for
+  /// the walk there loses what the base would absorb.
+  BsdfSample sample_below(Vec2 u) const;
+  /// What the surface would reflect that is above the body.
+  Rgb reflectance_below() const { return bsdf_->matte_base(wo_local_).reflectance; }
   /// The cosine that belongs to a sample's value, >= 0; in a medium there is none: 1.
   float cosine(const BsdfSample& sample) const { return phase_ ? 1 : std::fabs(sample.wi.z); }
   /// Whether light from a direction goes through the surface; all light goes through media.
@@ -106,6 +122,16 @@ class Interaction {
   Interaction(PhaseFunction phase, std::uint32_t material, const SurfacePoint& point, const Vec3& wo,
               const Interiors& interiors);
   BsdfValue phase_value(const Vec3& local) const;
+  /// What of the surface's scattering function this is.
+  enum class Part : std::uint8_t {
+    whole,
+    above,     ///< Without what goes below,
+    emerging,  ///< or what comes out from there, of all directions: the shape of the matte base.
+  };
+  BsdfValue value_of_part(const Vec3& local) const {
+    return part_ == Part::whole ? bsdf_->evaluate(wo_local_, local) : value_by_base(local);
+  }
+  BsdfValue value_by_base(const Vec3& local) const;
 
   SurfacePoint point_;
   std::uint32_t material_;
@@ -116,6 +142,8 @@ class Interaction {
   BsdfAt bsdf_;
   std::optional<PhaseFunction> phase_;  ///< Of a point in a medium.
   Interiors before_, behind_;
+  Part part_ = Part::whole;
+  float weight_below_ = 0;  ///< Of the matte base, the part that goes below.
 };
 
 }  // namespace twinray

@@ -24,6 +24,11 @@ Wave& arrays_of_this_thread() {
   return *wave;
 }
 
+/// Whether waves do not know what light does in or below a scene's surfaces.
+bool needs_reference(std::span<const Material> materials) {
+  return has_flights(materials) || std::any_of(materials.begin(), materials.end(), has_subsurface);
+}
+
 }  // namespace
 
 /// What waves of this scene and these options share.
@@ -31,7 +36,7 @@ class PathIntegrator::Waves {
  public:
   Waves(const Scene& scene, const PathOptions& options, const std::string& simd)
       : reference(scene, options),
-        stages(has_flights(scene.materials) ? std::nullopt : wave_stages_of(simd)),
+        stages(needs_reference(scene.materials) ? std::nullopt : wave_stages_of(simd)),
         options_(options),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, reference.transport().lights)),

@@ -3,6 +3,7 @@
 // it.
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "core/hit.h"
 #include "core/light_sample.h"
@@ -26,6 +27,9 @@ struct PathArrival {
   /// Media scatter on the way: the above is over the probability that the path has come so far or, where it
   /// was scattered, what is scattered over the density of that (integrators/flight.h).
   bool is_flight = false;
+  /// The ray comes from below a surface (integrators/walk_below.h), where the path was scattered so often: the
+  /// above is of the whole walk.
+  std::optional<std::uint32_t> events_below;
 };
 
 /// Light that a ray of the path has found by itself.

@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "core/spawn_ray.h"
+#include "core/subsurface.h"
 #include "integrators/layer_records.h"
 #include "integrators/scattering.h"
+#include "integrators/walk_below.h"
 
 namespace twinray {
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
@@ -59,15 +61,24 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const bool has_ended = options_.ends(depth, path.bounces);
     if (depth == 0 || !has_ended) record_vertex(at, hit, depth, path, record);
     if (has_ended) return radiance;
-    if (options_.counts(depth + 1)) {
-      const Rgb light = direct_light(transport, at, sampler, tracer, division.shares(at, depth));
-      const LightTerm direct = term(path.throughput, light, depth + 1, observer);
-      radiance += direct.radiance();
-      division.add_direct(at, path.first, direct, depth);
+    const auto leave = [&](const Interaction& from, const VertexSampler& draws) {
+      if (options_.counts(depth + 1)) {
+        const Rgb light = direct_light(transport, from, draws, tracer, division.shares(from, depth));
+        const LightTerm direct = term(path.throughput, light, depth + 1, observer);
+        radiance += direct.radiance();
+        division.add_direct(from, path.first, direct, depth);
+      }
+      if (!scatter(from, depth, draws, path, observer)) return false;
+      if (depth == 0 && record.has(Division::paths))
+        path.first = first_scattering(from, path.ray.direction, path.departure.seeking);
+      return true;
+    };
+    if (!leave(at, sampler)) return radiance;
+    if (path.is_below) {
+      const WalkDraws draws(kind, path_key, std::uint32_t(depth) + 1);
+      const std::optional<Interaction> emerged = emerge(at, draws, tracer, path);
+      if (!emerged || !leave(*emerged, draws.at_end())) return radiance;
     }
-    if (!scatter(at, depth, sampler, path, observer)) return radiance;
-    if (depth == 0 && record.has(Division::paths))
-      path.first = first_scattering(at, path.ray.direction, path.departure.seeking);
     // The ray after the last surface only looks for light.
     const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
@@ -129,7 +140,30 @@ LightTerm PathReference::term(const Rgb& throughput, const Rgb& light, int depth
 Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, State& path) const {
   const Vec3 wo = -normalize(path.ray.direction);
   if (end.in_medium) return Interaction::in_medium(scene_, *end.in_medium, wo, path.viewing);
-  return {bsdfs_, arrive_at(end.hit, sampler, path), wo, path.viewing};
+  Interaction at(bsdfs_, arrive_at(end.hit, sampler, path), wo, path.viewing);
+  const Material& material = scene_.materials[at.material()];
+  if (has_subsurface(material)) at.keep_above(material.subsurface);
+  return at;
+}
+
+std::optional<Interaction> PathReference::emerge(const Interaction& from, const WalkDraws& draws,
+                                                 Tracer& tracer, State& path) const {
+  const std::uint32_t material = from.material(), body = scene_.bindings[from.point().shape].material;
+  const Interior medium = medium_below(scene_.materials[material].subsurface, from.reflectance_below());
+  const auto end = walk_below(scene_, tracer, medium, body, path.ray, path.throughput, draws);
+  if (!end) return std::nullopt;
+  path.ray = end->ray;
+  path.throughput = path.throughput * end->left;
+  tracer.observer().arrived({.ray = end->ray,
+                             .hit = end->hit,
+                             .throughput = path.throughput,
+                             .transmittance = end->left,
+                             .is_flight = true,
+                             .events_below = end->events});
+  const SurfacePoint point = arrive_at(end->hit, draws.at_end(), path);
+  const auto emerged = Interaction::emerging(bsdfs_, point, material, normalize(path.ray.direction), path.viewing);
+  tracer.observer().stands_at(emerged, path.viewing.materials);
+  return emerged;
 }
 
 SurfacePoint PathReference::arrive_at(const Hit& hit, const VertexSampler& sampler, State& path) const {
@@ -155,6 +189,9 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   observer.scattered(lobe, u, next ? &*next : nullptr);
   if (!next) return false;
   path.throughput = next->throughput;
+  path.is_below = next->is_below;
+  path.ray = spawn_ray(at.point(), next->direction);
+  if (path.is_below) return true;  // Coming out is scattering of the same vertex: all else is its.
   path.bounces += one_bounce(next->kind);
   path.eta_squared *= next->eta * next->eta;
   path.departure = next->departure;
@@ -163,7 +200,6 @@ bool PathReference::scatter(const Interaction& at, int depth, const VertexSample
   if (next->departure.seeking != Seeking::alone) path.cone = path.cone.scattered(next->departure.pdf);
   if (options_.regularize && next->departure.seeking != Seeking::alone)
     path.viewing.materials = Materials::regularized;
-  path.ray = spawn_ray(at.point(), next->direction);
   return survives_roulette(depth + 1, sampler, path, observer);
 }
 

@@ -12,6 +12,8 @@
 
 namespace twinray {
 
+class WalkDraws;
+
 /// Unidirectional path tracing with light sampling at each vertex (Kajiya, "The Rendering Equation", 1986),
 /// one path after the other: the code to read first, and what PathIntegrator's waves are held to, bit for
 /// bit.
@@ -44,6 +46,7 @@ class PathReference final : public Integrator {
     BounceCounts bounces = 0;
     float eta_squared = 1;    ///< Product of eta^2: where the camera is, radiance is that much smaller.
     bool is_followed = true;  ///< It was scattered by mirrors and the like alone.
+    bool is_below = false;    ///< Its ray goes below a surface.
     FirstScattering first;    ///< Where the light's parts are asked for.
   };
   /// One path; `record` has room for one sample.
@@ -69,6 +72,9 @@ class PathReference final : public Integrator {
                      const RecordSpans& record) const;
   /// Where a path has come to.
   Interaction arrive(const End& end, const VertexSampler& sampler, State& path) const;
+  /// Where a path comes out that goes below the surface there; none where it does not.
+  std::optional<Interaction> emerge(const Interaction& from, const WalkDraws& draws, Tracer& tracer,
+                                    State& path) const;
   /// Likewise a surface, and there its cone and what textures need to know of it.
   SurfacePoint arrive_at(const Hit& hit, const VertexSampler& sampler, State& path) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.

@@ -14,9 +14,21 @@ ScatterKind kind_of(const Interaction& at, const BsdfSample& sample) {
   return sample.is_diffuse ? ScatterKind::diffuse : ScatterKind::glossy;
 }
 
+/// Into the body, whatever the normals say.
+std::optional<Scattering> enter(const Interaction& at, const Rgb& throughput, Vec2 u) {
+  const BsdfSample sample = at.sample_below(u);
+  const Rgb next = throughput * sample.value * (at.cosine(sample) / sample.pdf);
+  if (is_black(next)) return std::nullopt;
+  Vec3 wi = at.to_world(sample.wi);
+  const Vec3 outward = facing(at.point().geometric_normal, at.wo());
+  if (const float above = dot(outward, wi); above > 0) wi = wi - outward * (2 * above);
+  return Scattering{wi, next, {at.receiver(), sample.pdf}, at.interiors(at.wo()), 1, ScatterKind::diffuse, true};
+}
+
 }  // namespace
 
 std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u) {
+  if (at.goes_below(lobe)) return enter(at, throughput, u);
   const BsdfSample sample = at.sample(lobe, u);
   if (sample.pdf == 0) return std::nullopt;
   const Vec3 wi = at.to_world(sample.wi);

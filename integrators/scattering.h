@@ -19,6 +19,7 @@ struct Scattering {
   Interiors interiors;  ///< That it is in there.
   float eta = 1;  ///< Index of refraction behind the surface, to that before it; 1 where light is reflected.
   ScatterKind kind = ScatterKind::diffuse;
+  bool is_below = false;  ///< It goes below the surface, into the body there (integrators/walk_below.h).
 };
 
 /// Chooses a direction by the scattering function there; none where the path ends. `lobe` in [0, 1), u in

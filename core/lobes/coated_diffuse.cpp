@@ -6,7 +6,7 @@
 namespace twinray {
 
 CoatedDiffuseLobe::CoatedDiffuseLobe(const Coat& coat, const Rgb& reflectance)
-    : coat_(coat), base_(coat.diffuse_below(reflectance)) {}
+    : coat_(coat), reflectance_(reflectance), base_(coat.diffuse_below(reflectance)) {}
 
 Rgb CoatedDiffuseLobe::albedo() const {
   const float reflected = coat_.average_reflectance(), through = 1 - reflected;
@@ -16,6 +16,13 @@ Rgb CoatedDiffuseLobe::albedo() const {
 Rgb CoatedDiffuseLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   return base_ * (coat_.transmittance(wo) * coat_.transmittance(wi) / pi);
+}
+
+MatteBase CoatedDiffuseLobe::matte_base(const Vec3& wo) const {
+  if (!(wo.z > 0)) return {};
+  const float reflectance = coat_.reflectance(wo), probability = coat_probability(reflectance);
+  const float out = 1 - coat_.average_reflectance();
+  return {probability, 1 - probability, base_ * ((1 - reflectance) * out), reflectance_};
 }
 
 float CoatedDiffuseLobe::coat_probability(float reflectance) const {

@@ -25,13 +25,15 @@ class CoatedDiffuseLobe {
   /// What of it comes from the base.
   Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
+  MatteBase matte_base(const Vec3& wo) const;
+  Rgb of_matte_base(const Vec3& wo, const Vec3& wi) const { return diffuse(wo, wi); }
 
  private:
   /// The probability of sampling the coat's reflection.
   float coat_probability(float reflectance) const;
 
   Coat coat_;
-  Rgb base_;
+  Rgb reflectance_, base_;
 };
 
 }  // namespace twinray

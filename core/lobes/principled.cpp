@@ -120,7 +120,8 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
       metal_average_(metal_fresnel_.average()),
       gloss_(gloss_ior(m, is_inside), facets_),
       gloss_average_(white * gloss_.average_reflectance()),
-      diffuse_(gloss_.diffuse_below(m.base_color * m.base_weight)),
+      reflectance_(m.base_color * m.base_weight),
+      diffuse_(gloss_.diffuse_below(reflectance_)),
       rough_(white, m.base_diffuse_roughness) {
   if (clear_ > 0) boundary_ = boundary_of(m, facets_, is_inside);
   if (!is_inside) set_film(m);
@@ -265,12 +266,25 @@ BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
   return all;
 }
 
-Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
+Rgb PrincipledLobe::of_matte_base(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   return from(wo, [&](const Seen& seen) {
     const Rgb through = through_gloss(wi) * seen.through_gloss * through_layers(seen.past, past(wi.z), 1);
-    const Rgb base = diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_);
-    return fuzz_ ? base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)) : base;
+    return diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_);
+  });
+}
+
+Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
+  const Rgb base = of_matte_base(wo, wi);
+  if (!fuzz_ || !(wo.z > 0 && wi.z > 0)) return base;
+  return base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi));
+}
+
+MatteBase PrincipledLobe::matte_base(const Vec3& wo) const {
+  if (!(wo.z > 0)) return {};
+  return from(wo, [&](const Seen& seen) -> MatteBase {
+    const Rgb through = seen.through_gloss * (white - gloss_average_) * through_layers(seen.past, through_, 1);
+    return {seen.choice.fuzz, seen.choice.diffuse, diffuse_ * through * opaque_, reflectance_};
   });
 }
 

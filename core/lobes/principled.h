@@ -42,6 +42,8 @@ class PrincipledLobe {
   /// What of it comes from the opaque base below the gloss, and from the fuzz.
   Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
+  MatteBase matte_base(const Vec3& wo) const;
+  Rgb of_matte_base(const Vec3& wo, const Vec3& wi) const;
 
  private:
   /// What coat and fuzz let through; all of the light where they are not there.
@@ -103,7 +105,8 @@ class PrincipledLobe {
   Rgb metal_multiple_;               ///< A factor of what meets several facets.
   Coat gloss_;
   Rgb gloss_average_;       ///< What the gloss reflects of light from all directions.
-  Rgb diffuse_;             ///< Radiosity below the gloss, Coat::diffuse_below.
+  Rgb reflectance_;         ///< Of what is diffuse,
+  Rgb diffuse_;             ///< and the radiosity below the gloss, Coat::diffuse_below.
   RoughDiffuseLobe rough_;  ///< The shape of what is scattered there, white.
   // Where their weights are not 0:
   std::optional<std::variant<RoughDielectricLobe, ThinDielectricLobe>> boundary_;

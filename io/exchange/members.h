@@ -244,6 +244,13 @@ void members(const Visit& visit, Interior& interior) {
 }
 
 template <typename Visit>
+void members(const Visit& visit, Subsurface& subsurface) {
+  visit("radius", subsurface.radius, Valid::positive);
+  visit("anisotropy", subsurface.anisotropy, Valid::anisotropy);
+  visit("weight", subsurface.weight, Valid::part);
+}
+
+template <typename Visit>
 void members(const Visit& visit, PixelFilter& filter) {
   visit("type", filter.kind);
   visit("radius", filter.radius);

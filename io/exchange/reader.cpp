@@ -104,6 +104,12 @@ class SceneReader {
           members(MemberReader(inside), material.interior);
           if (inside.has("density")) material.interior.density = inside.index("density");
         });
+      if (entry.has("subsurface")) {
+        if (!may_have_subsurface(material.model))
+          entry.fail("subsurface", "belongs to a \"coated_diffuse\" or an \"openpbr\" that is not thin-walled");
+        entry.within("subsurface",
+                     [&](const Entry& inside) { members(MemberReader(inside), material.subsurface); });
+      }
       if (entry.has("textures"))
         entry.for_each("textures", [&](const Entry& each) {
           TextureUse use;

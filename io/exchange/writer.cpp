@@ -108,6 +108,8 @@ Json material_json(const Material& material) {
     members(MemberWriter(json["interior"]), interior);
     if (interior.density != no_density) json["interior"]["density"] = interior.density;
   }
+  if (Subsurface subsurface = material.subsurface; has_subsurface(material))
+    members(MemberWriter(json["subsurface"]), subsurface);
   return json;
 }
 
