@@ -187,8 +187,10 @@ inline constexpr int material_inputs = int(MaterialInput::thin_film_thickness) +
 /// What is made of a texture's value: itself; the roughness whose square it is, as pbrt has it; the k of a
 /// metal of eta 1 that reflects so much of the light that falls straight on it; of Principled's anisotropy,
 /// how much wider facets of its roughness are along the tangent, as glTF has it (widen()); of Principled's
-/// fuzz_color, that colour times the weight, which is its brightest channel, as glTF has it (set_fuzz()).
-enum class InputMeaning { value, squared_roughness, metal_reflectance, widening, weighted_color };
+/// fuzz_color, that colour times the weight, which is its brightest channel, as glTF has it (set_fuzz()); of
+/// CoatedDiffuse's reflectance, the part that comes out again of light that has entered
+/// (base_of_emerging()).
+enum class InputMeaning { value, squared_roughness, metal_reflectance, widening, weighted_color, emerging };
 
 /// The index of "no texture".
 inline constexpr std::uint32_t no_texture = 0xffffffff;

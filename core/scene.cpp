@@ -61,7 +61,7 @@ void check_binding(const Scene& scene, std::uint32_t shape) {
                             has_alpha ? "an" : "no", has_alpha ? "" : " not"));
 }
 
-/// Two meanings are of one input each.
+/// Some meanings are of one input each.
 void check_meaning(const TextureUse& use, std::size_t index) {
   struct Only {
     InputMeaning meaning;
@@ -70,7 +70,8 @@ void check_meaning(const TextureUse& use, std::size_t index) {
   };
   constexpr Only onlys[] = {
       {InputMeaning::widening, "widening", MaterialInput::specular_roughness_anisotropy},
-      {InputMeaning::weighted_color, "weighted_color", MaterialInput::fuzz_color}};
+      {InputMeaning::weighted_color, "weighted_color", MaterialInput::fuzz_color},
+      {InputMeaning::emerging, "emerging", MaterialInput::reflectance}};
   for (const Only& only : onlys)
     if (use.meaning == only.meaning && use.input != only.input)
       throw Error(fmt::format("material {} has a texture whose meaning is \"{}\" for its {}; valid is {}",

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/bsdf.h"
+
 namespace twinray {
 
 // With s = sqrt((1 - albedo) / (1 - albedo g)), the reflectance is (1 - s) (1 - 0.139 s) / (1 + 1.17 s).
@@ -17,6 +19,26 @@ float single_scattering_albedo(float reflectance, float anisotropy) {
   const float r = std::clamp(reflectance, 0.0f, 1.0f), b = 1.139f + 1.17f * r;
   const float s = std::min(2 * (1 - r) / (b + std::sqrt(b * b - 4 * 0.139f * (1 - r))), 1.0f);
   return (1 - s * s) / (1 - anisotropy * s * s);
+}
+
+namespace {
+
+float reflected_back_down(const CoatedDiffuse& model) {
+  return Bsdf(model).as<CoatedDiffuseLobe>()->coat().average_reflectance_below();
+}
+
+}  // namespace
+
+Rgb base_of_emerging(const CoatedDiffuse& model, const Rgb& emerging) {
+  const float back = reflected_back_down(model);
+  const auto channel = [&](float e) { return e / (1 - back + e * back); };
+  return {channel(emerging.r), channel(emerging.g), channel(emerging.b)};
+}
+
+Rgb emerging_of_base(const CoatedDiffuse& model, const Rgb& reflectance) {
+  const float back = reflected_back_down(model);
+  const auto channel = [&](float r) { return r * (1 - back) / (1 - r * back); };
+  return {channel(reflectance.r), channel(reflectance.g), channel(reflectance.b)};
 }
 
 Interior medium_below(const Subsurface& subsurface, const Rgb& reflectance) {

@@ -14,6 +14,12 @@ float single_scattering_albedo(float reflectance, float anisotropy);
 /// The other way round.
 float diffuse_reflectance(float albedo, float anisotropy);
 
+/// The reflectance of the base, so that of light that has entered through the coat the part `emerging`, in [0,
+/// 1], comes out again: what the coat reflects back down counts once more.
+Rgb base_of_emerging(const CoatedDiffuse& model, const Rgb& emerging);
+/// The other way round.
+Rgb emerging_of_base(const CoatedDiffuse& model, const Rgb& reflectance);
+
 /// What fills a body whose base reflects so much; even, and of no priority.
 Interior medium_below(const Subsurface& subsurface, const Rgb& reflectance);
 

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/subsurface.h"
+
 namespace twinray {
 namespace {
 
@@ -197,12 +199,14 @@ SurfaceModel textured_model(const Material& material, std::span<const Texture> t
                             const TexturePoint& at) {
   SurfaceModel model = material.model;
   std::optional<float> widening;
+  bool has_emerging = false;
   for (const TextureUse& use : material.textures) {
     const Value value{evaluate(textures, use.texture, at), use.meaning};
     if (use.meaning == InputMeaning::widening) {
       widening = value.number();
       continue;
     }
+    has_emerging = has_emerging || use.meaning == InputMeaning::emerging;
     if (use.meaning == InputMeaning::weighted_color) {
       set_fuzz(std::get<Principled>(model), value.unit_color());
       continue;
@@ -211,6 +215,8 @@ SurfaceModel textured_model(const Material& material, std::span<const Texture> t
                model);
   }
   if (widening) widen(std::get<Principled>(model), *widening);
+  if (auto* const coated = std::get_if<CoatedDiffuse>(&model); coated && has_emerging)
+    coated->reflectance = base_of_emerging(*coated, coated->reflectance);
   return model;
 }
 

@@ -41,7 +41,7 @@ void widen(Principled& model, float strength);
 void set_fuzz(Principled& model, const Rgb& weighted_color);
 
 /// The material's model with what its textures have at the point, each within its range: eta and k from 0 to
-/// 1000, all else in [0, 1]. What widens facets does so after all else is known.
+/// 1000, all else in [0, 1]. What widens facets does so after all else is known, and so does what emerges.
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,
                             const TexturePoint& at);
 

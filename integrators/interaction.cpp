@@ -50,8 +50,8 @@ Rgb Interaction::diffuse_share(const Vec3& wi) const {
   if (is_emerging()) return {1, 1, 1};
   const Vec3 local = to_local(wi);
   const Rgb all = value_of_part(local).value;
-  const Rgb diffuse =
-      at_least_zero(bsdf_->diffuse(wo_local_, local) - bsdf_->of_matte_base(wo_local_, local) * weight_below_);
+  const Rgb diffuse = at_least_zero(bsdf_->diffuse(wo_local_, local) -
+                                    bsdf_->of_matte_base(wo_local_, local) * weight_below_);
   return {share(diffuse.r, all.r), share(diffuse.g, all.g), share(diffuse.b, all.b)};
 }
 

@@ -161,7 +161,8 @@ std::optional<Interaction> PathReference::emerge(const Interaction& from, const 
                              .is_flight = true,
                              .events_below = end->events});
   const SurfacePoint point = arrive_at(end->hit, draws.at_end(), path);
-  const auto emerged = Interaction::emerging(bsdfs_, point, material, normalize(path.ray.direction), path.viewing);
+  const auto emerged =
+      Interaction::emerging(bsdfs_, point, material, normalize(path.ray.direction), path.viewing);
   tracer.observer().stands_at(emerged, path.viewing.materials);
   return emerged;
 }

@@ -22,7 +22,8 @@ std::optional<Scattering> enter(const Interaction& at, const Rgb& throughput, Ve
   Vec3 wi = at.to_world(sample.wi);
   const Vec3 outward = facing(at.point().geometric_normal, at.wo());
   if (const float above = dot(outward, wi); above > 0) wi = wi - outward * (2 * above);
-  return Scattering{wi, next, {at.receiver(), sample.pdf}, at.interiors(at.wo()), 1, ScatterKind::diffuse, true};
+  return Scattering{wi,  next, {at.receiver(), sample.pdf}, at.interiors(at.wo()), 1, ScatterKind::diffuse,
+                    true};
 }
 
 }  // namespace

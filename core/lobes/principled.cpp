@@ -283,7 +283,8 @@ Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
 MatteBase PrincipledLobe::matte_base(const Vec3& wo) const {
   if (!(wo.z > 0)) return {};
   return from(wo, [&](const Seen& seen) -> MatteBase {
-    const Rgb through = seen.through_gloss * (white - gloss_average_) * through_layers(seen.past, through_, 1);
+    const Rgb through =
+        seen.through_gloss * (white - gloss_average_) * through_layers(seen.past, through_, 1);
     return {seen.choice.fuzz, seen.choice.diffuse, diffuse_ * through * opaque_, reflectance_};
   });
 }

@@ -63,7 +63,8 @@ Words<InputMeaning> words() {
           {"squared_roughness", InputMeaning::squared_roughness},
           {"metal_reflectance", InputMeaning::metal_reflectance},
           {"widening", InputMeaning::widening},
-          {"weighted_color", InputMeaning::weighted_color}};
+          {"weighted_color", InputMeaning::weighted_color},
+          {"emerging", InputMeaning::emerging}};
 }
 
 template <>

@@ -15,136 +15,26 @@
 #include "core/phase_function.h"
 #include "core/radiance.h"
 #include "core/textured_material.h"
+#include "io/pbrt/material_inputs.h"
 #include "io/pbrt/spectrum.h"
+#include "io/pbrt/subsurface_material.h"
 #include "io/pbrt/version_three.h"
 
 namespace twinray {
 namespace {
 
-/// Names of inputs that are not pbrt's own, or stand for others; all else is called as in core/material.h.
-struct InputAlias {
-  std::string_view name;
-  MaterialInput input;
-};
-constexpr InputAlias input_aliases[] = {{"base_color", MaterialInput::reflectance},
-                                        {"specular_roughness", MaterialInput::roughness},
-                                        {"conductor.eta", MaterialInput::eta},
-                                        {"conductor.k", MaterialInput::k}};
-
-std::optional<MaterialInput> input_named(std::string_view name) {
-  for (const InputAlias& alias : input_aliases)
-    if (alias.name == name) return alias.input;
-  for (int i = 0; i < material_inputs; ++i)
-    if (input_name(MaterialInput(i)) == name) return MaterialInput(i);
-  return std::nullopt;
-}
-
-/// Reads the inputs of a material, each a value or a texture.
-struct Inputs {
-  const PbrtParameters& parameters;
-  PbrtTextures& textures;
-  PbrtContext& context;
-  std::vector<TextureUse>& uses;  ///< Textures that the model's inputs have.
-
-  bool has(const std::string& name) const { return parameters.find(name.c_str()) != nullptr; }
-
-  Rgb color(const char* name, const Rgb& fallback, ColorRole role = ColorRole::reflectance) const {
-    const PbrtParameter* found = parameters.find(name);
-    if (!found) return fallback;
-    if (found->type != PbrtType::texture) return color_of(parameters, *found, role, context.files);
-    const Rgb mean = use(*found, PictureChannels::color, input_named(name)).mean;
-    return role == ColorRole::reflectance ? within_unit(mean) : mean;
-  }
-
-  float number(const char* name, float fallback) const {
-    const PbrtParameter* found = parameters.find(name);
-    if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
-    return use(*found, PictureChannels::number, input_named(name)).mean.r;
-  }
-
-  /// A metal's k by its "reflectance".
-  Rgb k_of_reflectance(const PbrtParameter& reflectance) const {
-    if (reflectance.type != PbrtType::texture)
-      return metal_k(color_of(parameters, reflectance, ColorRole::reflectance, context.files));
-    return metal_k(
-        use(reflectance, PictureChannels::color, MaterialInput::k, InputMeaning::metal_reflectance).mean);
-  }
-
-  /// An index of refraction; of a spectrum the mean as the eye weighs it.
-  float ior(const char* name) const {
-    const PbrtParameter* found = parameters.find(name);
-    if (!found) return 1.5f;
-    const Rgb color = color_of(parameters, *found, ColorRole::unbounded, context.files);
-    // The weights of a grey color's channels would round it.
-    const float value = color.r == color.g && color.g == color.b ? color.r : luminance(color);
-    // 1000 is how glTF says that all is reflected.
-    if (!(value > 0 && value <= 1000))
-      found->place.fail(fmt::format("\"{}\" is {:g}; an index of refraction lies in (0, 1000]", name, value));
-    return value;
-  }
-
-  /// Of a coat: below 1 it is none (core/lobes/coat.h).
-  float coat_ior(const char* name) const {
-    const float value = ior(name);
-    if (value < 1)
-      parameters.find(name)->place.warn(
-          context.warnings, fmt::format("a coat of the index {:g} is not rendered: it is taken as 1", value));
-    return value;
-  }
-
-  /// The width of microfacets, of "roughness", "uroughness" and "vroughness" and what stands before these
-  /// ("interface."). `input`: the model's.
-  Roughness roughness(const std::string& prefix = "", MaterialInput input = MaterialInput::roughness) const {
-    const PbrtParameter* both = parameters.find((prefix + "roughness").c_str());
-    const PbrtParameter* u = parameters.find((prefix + "uroughness").c_str());
-    const PbrtParameter* v = parameters.find((prefix + "vroughness").c_str());
-    const auto next = [&](int steps) { return MaterialInput(int(input) + steps); };
-    const bool is_even = !u && !v;
-    const float x = axis(u ? u : both, is_even ? input : next(1));
-    const float y = is_even ? x : axis(v ? v : both, next(2));
-    return std::max(x, y) < least_alpha ? Roughness{} : Roughness{x, y};
-  }
-
- private:
-  const PbrtTextures::Named& use(const PbrtParameter& parameter, PictureChannels kind,
-                                 std::optional<MaterialInput> input,
-                                 InputMeaning meaning = InputMeaning::value) const {
-    const PbrtTextures::Named& texture = textures.named(parameters, parameter, kind);
-    if (input)
-      uses.push_back({*input, texture.index, meaning});
-    else
-      parameter.place.warn(
-          context.warnings,
-          fmt::format("a texture of \"{}\" is not rendered here: its mean stands for it", parameter.name));
-    return texture;
-  }
-
-  /// The alpha of a roughness along one axis.
-  float axis(const PbrtParameter* found, MaterialInput input) const {
-    const bool is_remapped = parameters.flag("remaproughness", true);
-    const auto meaning = is_remapped ? InputMeaning::squared_roughness : InputMeaning::value;
-    if (!found) return 0;
-    const bool is_texture = found->type == PbrtType::texture;
-    const float roughness = is_texture ? use(*found, PictureChannels::number, input, meaning).mean.r
-                                       : parameters.real(found->name.c_str(), 0);
-    if (!(roughness >= 0 && roughness <= 1))
-      found->place.warn(context.warnings,
-                        fmt::format("a roughness of {:g} is taken as the nearest one in [0, 1]", roughness));
-    const float in_range = std::clamp(roughness, 0.0f, 1.0f);
-    return is_remapped ? alpha_of_roughness(in_range) : in_range;
-  }
-};
-
 constexpr Rgb half_grey{0.5f, 0.5f, 0.5f}, quarter_grey{0.25f, 0.25f, 0.25f};
 
-SurfaceModel read_diffuse(const Inputs& in) { return Lambert{in.color("reflectance", half_grey)}; }
+SurfaceModel read_diffuse(const PbrtMaterialInputs& in) {
+  return Lambert{in.color("reflectance", half_grey)};
+}
 
 struct Metal {
   Rgb eta, k;
 };
 
 /// Copper where nothing is said.
-Metal read_metal(const Inputs& in, const std::string& prefix) {
+Metal read_metal(const PbrtMaterialInputs& in, const std::string& prefix) {
   const std::string eta = prefix + "eta", k = prefix + "k";
   if (in.has("reflectance")) {
     if (in.has(eta) || in.has(k))
@@ -156,14 +46,16 @@ Metal read_metal(const Inputs& in, const std::string& prefix) {
           in.color(k.c_str(), named_spectrum("metal-Cu-k")->color, ColorRole::unbounded)};
 }
 
-SurfaceModel read_conductor(const Inputs& in) {
+SurfaceModel read_conductor(const PbrtMaterialInputs& in) {
   const Metal metal = read_metal(in, "");
   return Conductor{metal.eta, metal.k, in.roughness()};
 }
 
-SurfaceModel read_dielectric(const Inputs& in) { return Dielectric{in.ior("eta"), in.roughness()}; }
+SurfaceModel read_dielectric(const PbrtMaterialInputs& in) {
+  return Dielectric{in.ior("eta"), in.roughness()};
+}
 
-SurfaceModel read_thin(const Inputs& in) {
+SurfaceModel read_thin(const PbrtMaterialInputs& in) {
   Dielectric sheet{in.ior("eta")};
   sheet.is_thin = true;
   return sheet;
@@ -171,7 +63,7 @@ SurfaceModel read_thin(const Inputs& in) {
 
 /// What lies between the layers of a coated material, and how pbrt follows light there. How far our closed
 /// form is from pbrt's usual way is known (docs/materials.md).
-void read_between(const Inputs& in) {
+void read_between(const PbrtMaterialInputs& in) {
   for (const char* known : {"g", "nsamples"}) in.parameters.find(known);
   const auto warn = [&](const char* name, const char* reason) {
     in.parameters.find(name)->place.warn(in.context.warnings, reason);
@@ -185,12 +77,12 @@ void read_between(const Inputs& in) {
     warn("maxdepth", "light between the layers is followed to its end");
 }
 
-SurfaceModel read_coated_diffuse(const Inputs& in) {
+SurfaceModel read_coated_diffuse(const PbrtMaterialInputs& in) {
   read_between(in);
   return CoatedDiffuse{in.color("reflectance", half_grey), in.roughness(), in.coat_ior("eta")};
 }
 
-SurfaceModel read_coated_conductor(const Inputs& in) {
+SurfaceModel read_coated_conductor(const PbrtMaterialInputs& in) {
   read_between(in);
   const Metal metal = read_metal(in, "conductor.");
   CoatedConductor coated{metal.eta, metal.k, in.roughness("conductor.")};
@@ -199,7 +91,7 @@ SurfaceModel read_coated_conductor(const Inputs& in) {
   return coated;
 }
 
-SurfaceModel read_transmission(const Inputs& in) {
+SurfaceModel read_transmission(const PbrtMaterialInputs& in) {
   const float scale = in.parameters.real("scale", 1, {0, 1e6});
   const DiffuseTransmission sheet{within_unit(in.color("reflectance", quarter_grey) * scale),
                                   within_unit(in.color("transmittance", quarter_grey) * scale)};
@@ -249,7 +141,7 @@ constexpr PrincipledColor principled_colors[] = {{"base_color", &Principled::bas
                                                  {"emission_color", &Principled::emission_color}};
 
 /// OpenPBR's surface: not one of pbrt's materials.
-SurfaceModel read_principled(const Inputs& in) {
+SurfaceModel read_principled(const PbrtMaterialInputs& in) {
   Principled model;
   for (const auto& [name, member, most] : principled_weights) {
     model.*member = in.number(name, model.*member);
@@ -274,7 +166,7 @@ SurfaceModel read_principled(const Inputs& in) {
 /// What a clear surface of a colour and a depth absorbs and scatters within. Where more is scattered than the
 /// colour says to be lost, all channels absorb more, so that none absorbs less than nothing: as OpenPBR has
 /// it.
-Interior filling_within(const Principled& model, const Inputs& in) {
+Interior filling_within(const Principled& model, const PbrtMaterialInputs& in) {
   constexpr float least = 1e-4f, least_depth = 1e-30f, most = PhaseFunction::most_anisotropy;
   const Rgb scatter = in.color("transmission_scatter", {}), color = model.transmission_color;
   const float anisotropy = in.parameters.real("transmission_scatter_anisotropy", 0, {-1, 1});
@@ -287,22 +179,15 @@ Interior filling_within(const Principled& model, const Inputs& in) {
           .anisotropy = std::clamp(anisotropy, -most, most)};
 }
 
-SurfaceModel instead(const Inputs& in, const char* what, const char* shown, const SurfaceModel& model) {
+SurfaceModel instead(const PbrtMaterialInputs& in, const char* what, const char* shown,
+                     const SurfaceModel& model) {
   in.parameters.place().warn(in.context.warnings,
                              fmt::format("{} is not rendered; {} stands for it", what, shown));
   return model;
 }
 
-SurfaceModel read_subsurface(const Inputs& in) {
-  for (const char* known : {"sigma_a", "sigma_s", "mfp", "g", "scale", "name"}) in.parameters.find(known);
-  const Rgb pale{0.8f, 0.8f, 0.8f};
-  return instead(in, "light below a surface (subsurface)", "a coated diffuse surface",
-                 CoatedDiffuse{in.color("reflectance", pale), in.roughness(),
-                               in.has("eta") ? in.coat_ior("eta") : 1.33f});
-}
-
 /// What fibres absorb, by their pigments, as pbrt has it.
-Rgb hair_absorption(const Inputs& in) {
+Rgb hair_absorption(const PbrtMaterialInputs& in) {
   if (in.has("sigma_a")) return in.color("sigma_a", {}, ColorRole::unbounded);
   const bool has_pigments = in.has("eumelanin") || in.has("pheomelanin");
   return Rgb{0.419f, 0.697f, 1.37f} * in.parameters.real("eumelanin", has_pigments ? 0 : 1.3f, {0, 1e6}) +
@@ -318,22 +203,22 @@ Rgb hair_color(const Rgb& absorption, float beta) {
   return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
 }
 
-SurfaceModel read_hair(const Inputs& in) {
+SurfaceModel read_hair(const PbrtMaterialInputs& in) {
   for (const char* known : {"eta", "beta_m", "alpha"}) in.parameters.find(known);
   const Rgb color = hair_color(hair_absorption(in), in.parameters.real("beta_n", 0.3f, {0, 1}));
   return instead(in, "hair", "a diffuse surface", Lambert{in.color("reflectance", in.color("color", color))});
 }
 
-SurfaceModel read_measured(const Inputs& in) {
+SurfaceModel read_measured(const PbrtMaterialInputs& in) {
   in.parameters.find("filename");
   return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half_grey});
 }
 
 struct MaterialReader {
   std::string_view type;
-  SurfaceModel (*read)(const Inputs&);
+  SurfaceModel (*read)(const PbrtMaterialInputs&);
 };
-constexpr std::array<MaterialReader, 11> material_readers{{{"diffuse", read_diffuse},
+constexpr std::array<MaterialReader, 10> material_readers{{{"diffuse", read_diffuse},
                                                            {"conductor", read_conductor},
                                                            {"dielectric", read_dielectric},
                                                            {"thindielectric", read_thin},
@@ -341,17 +226,16 @@ constexpr std::array<MaterialReader, 11> material_readers{{{"diffuse", read_diff
                                                            {"coatedconductor", read_coated_conductor},
                                                            {"diffusetransmission", read_transmission},
                                                            {"openpbr", read_principled},
-                                                           {"subsurface", read_subsurface},
                                                            {"hair", read_hair},
                                                            {"measured", read_measured}}};
 
-SurfaceModel read_model(const std::string& type, const Inputs& in) {
+SurfaceModel read_model(const std::string& type, const PbrtMaterialInputs& in) {
   const auto reader = std::find_if(material_readers.begin(), material_readers.end(),
                                    [&](const MaterialReader& r) { return r.type == type; });
   if (reader != material_readers.end()) return reader->read(in);
   std::vector<std::string_view> names;
   for (const MaterialReader& each : material_readers) names.push_back(each.type);
-  for (const char* name : {"mix", "interface"}) names.push_back(name);
+  for (const char* name : {"subsurface", "mix", "interface"}) names.push_back(name);
   in.parameters.place().fail(fmt::format("there is no material \"{}\"; valid are {}{}", type,
                                          list_names(names), version_three_hint(type)));
 }
@@ -407,13 +291,17 @@ void PbrtMaterials::check_all_made() const {
 
 void PbrtMaterials::make(std::uint32_t index, const std::string& type, const PbrtParameters& parameters) {
   std::vector<TextureUse> uses;
-  const Inputs in{parameters, textures, context_, uses};
+  const PbrtMaterialInputs in{parameters, textures, context_, uses};
   if (type == "interface" || type == "none" || type.empty())
     entries_[index].is_interface = true, materials[index].model = Interface{};
   else if (type == "mix")
     materials[index].model = read_mix(index, in.number("amount", 0.5f), parameters);
+  else if (type == "subsurface")
+    materials[index].model = read_subsurface(in, materials[index].subsurface);
   else
     materials[index].model = read_model(type, in);
+  if (auto* const principled = std::get_if<Principled>(&materials[index].model))
+    read_principled_subsurface(in, *principled, materials[index].subsurface);
   materials[index].textures = std::move(uses);
   if (lets_light_in(materials[index])) {
     if (const auto* model = std::get_if<Principled>(&materials[index].model))

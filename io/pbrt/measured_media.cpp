@@ -10,7 +10,7 @@
 namespace twinray {
 namespace {
 
-constexpr MeasuredMedium media[] = {
+constexpr MeasuredMedium measured_ones[] = {
     {"Apple", {2.29f, 2.39f, 1.97f}, {0.003f, 0.0034f, 0.046f}},
     {"Apple Juice", {0.00013612f, 0.00015836f, 0.000227f}, {0.012957f, 0.023741f, 0.052184f}},
     {"Budweiser Beer", {2.4356e-05f, 2.4079e-05f, 1.0564e-05f}, {0.011492f, 0.024911f, 0.057786f}},
@@ -65,14 +65,14 @@ constexpr MeasuredMedium media[] = {
 }  // namespace
 
 const MeasuredMedium* measured_medium(std::string_view name) {
-  const auto found = std::find_if(std::begin(media), std::end(media),
+  const auto found = std::find_if(std::begin(measured_ones), std::end(measured_ones),
                                   [&](const MeasuredMedium& medium) { return medium.name == name; });
-  return found == std::end(media) ? nullptr : found;
+  return found == std::end(measured_ones) ? nullptr : found;
 }
 
 std::vector<std::string_view> measured_media() {
   std::vector<std::string_view> names;
-  for (const MeasuredMedium& medium : media) names.push_back(medium.name);
+  for (const MeasuredMedium& medium : measured_ones) names.push_back(medium.name);
   return names;
 }
 
