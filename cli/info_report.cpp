@@ -89,6 +89,7 @@ Json json_of(const SceneInfo& info) {
   report["media"] = {{"absorbing", info.media.absorbing},
                      {"scattering", info.media.scattering},
                      {"uneven", info.media.uneven},
+                     {"subsurface", info.media.subsurface},
                      {"atmosphere", info.media.has_atmosphere}};
   report["memory_bytes"] = memory_json(info);
   report["notes"] = summary.notes;
@@ -118,9 +119,14 @@ std::string line_of(const PictureInfo& picture) {
 
 /// Of what fills bodies; empty where nothing does.
 std::string line_of(const MediaInfo& media) {
-  if (media.absorbing + media.scattering == 0) return "";
-  return fmt::format("media: {} that absorb, {} that scatter light, {} of them not even{}\n", media.absorbing,
-                     media.scattering, media.uneven, media.has_atmosphere ? "; an atmosphere" : "");
+  std::string text;
+  if (media.absorbing + media.scattering > 0)
+    text =
+        fmt::format("media: {} that absorb, {} that scatter light, {} of them not even{}\n", media.absorbing,
+                    media.scattering, media.uneven, media.has_atmosphere ? "; an atmosphere" : "");
+  if (media.subsurface > 0)
+    text += fmt::format("light below the surface: of {}\n", counted(media.subsurface, "material"));
+  return text;
 }
 
 }  // namespace

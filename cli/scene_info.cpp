@@ -42,6 +42,7 @@ std::vector<MaterialInfo> materials_of(const Scene& scene) {
 MediaInfo media_of(const Scene& scene) {
   MediaInfo media{.has_atmosphere = scene.atmosphere != no_material};
   for (const Material& material : scene.materials) {
+    media.subsurface += has_subsurface(material);
     const Interior& interior = material.interior;
     if (is_black(interior.extinction())) continue;
     ++(is_black(interior.scattering) ? media.absorbing : media.scattering);

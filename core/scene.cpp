@@ -140,6 +140,25 @@ void check_interior(const Scene& scene, std::size_t index) {
         fmt::format("material {} has the priority {}; it must be >= 0", index, material.interior.priority));
 }
 
+void check_subsurface(const Scene& scene, std::size_t index) {
+  const Material& material = scene.materials[index];
+  const auto& [radius, anisotropy, weight] = material.subsurface;
+  if (!has_subsurface(material)) return;
+  if (!may_have_subsurface(material.model))
+    throw Error(fmt::format("material {} has a subsurface, and its model has no base above it", index));
+  if (!is_finite(radius) || !(std::min({radius.r, radius.g, radius.b}) > 0))
+    throw Error(
+        fmt::format("material {} has a subsurface of the radius {:g} {:g} {:g}; each must be finite and > 0",
+                    index, radius.r, radius.g, radius.b));
+  if (!(std::fabs(anisotropy) <= PhaseFunction::most_anisotropy))
+    throw Error(fmt::format("material {} has a subsurface of the anisotropy {:g}; valid are -{:g} to {:g}",
+                            index, anisotropy, PhaseFunction::most_anisotropy,
+                            PhaseFunction::most_anisotropy));
+  if (!(weight >= 0 && weight <= 1))
+    throw Error(
+        fmt::format("material {} has a subsurface of the weight {:g}; valid are 0 to 1", index, weight));
+}
+
 void check_atmosphere(const Scene& scene) {
   if (scene.atmosphere == no_material) return;
   if (scene.atmosphere >= scene.materials.size())
@@ -166,7 +185,8 @@ void check_mixes(std::span<const Material> materials) {
 }  // namespace
 
 void check_scene(const Scene& scene) {
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) check_interior(scene, i);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    check_interior(scene, i), check_subsurface(scene, i);
   if (scene.bindings.size() != scene.geometry->shapes().size())
     throw Error(
         fmt::format("{} shapes but {} bindings", scene.geometry->shapes().size(), scene.bindings.size()));

@@ -138,6 +138,7 @@ FloatJson json_of(const Scene& scene, const PathVertex& vertex) {
                    {"throughput", json_of(vertex.arrival.throughput)},
                    {"found_lights", list_json(scene, vertex.found)},
                    {"emission", json_of(vertex.emission)}};
+  if (vertex.arrival.events_below) result["events_below"] = *vertex.arrival.events_below;
   if (!vertex.surface) return result;
   if (vertex.surface->is_in_medium()) {
     result["medium"] = medium_json(scene, *vertex.surface);

@@ -135,6 +135,14 @@ std::string point_text(const Scene& scene, const PathVertex& vertex) {
   return text;
 }
 
+/// Who let so much through.
+const char* passed_text(const PathArrival& arrival, bool is_in_medium) {
+  if (arrival.events_below) return " by the body, over the density of the walk";
+  if (is_in_medium) return " by bodies on the way, over the density of this point";
+  return arrival.is_flight ? " by bodies on the way, over the probability that they scatter nothing"
+                           : " by bodies on the way";
+}
+
 std::string vertex_text(const Scene& scene, const PathVertex& vertex, std::size_t number) {
   const PathArrival& arrival = vertex.arrival;
   const bool is_in_medium = vertex.surface && vertex.surface->is_in_medium();
@@ -142,18 +150,18 @@ std::string vertex_text(const Scene& scene, const PathVertex& vertex, std::size_
   if (is_in_medium)
     text += fmt::format("in a medium, {} along the way\n",
                         length(vertex.surface->point().position - arrival.ray.origin));
+  else if (arrival.events_below)
+    text += fmt::format("out of the body, after {} scattering{} below its surface\n", *arrival.events_below,
+                        *arrival.events_below == 1 ? "" : "s");
   else if (arrival.hit.is_miss())
     text += "none, the ray leaves the scene\n";
   else
     text += fmt::format("{}, at t = {}\n", shape_text(scene, arrival.hit), arrival.hit.t);
   if (arrival.transmittance != Rgb{1, 1, 1})
     text += line(is_in_medium ? "scattered" : "let through",
-                 text_of(arrival.transmittance) + " by bodies on the way" +
-                     (is_in_medium        ? ", over the density of this point"
-                      : arrival.is_flight ? ", over the probability that they scatter nothing"
-                                          : ""));
+                 text_of(arrival.transmittance) + passed_text(arrival, is_in_medium));
   text += line("throughput", text_of(arrival.throughput));
-  if (!is_in_medium) text += emission_text(scene, vertex);
+  if (!is_in_medium && !arrival.events_below) text += emission_text(scene, vertex);
   if (!vertex.surface) return text;
   return text + point_text(scene, vertex) + direct_text(scene, vertex) + scattering_text(vertex);
 }
@@ -162,6 +170,7 @@ std::string vertex_text(const Scene& scene, const PathVertex& vertex, std::size_
 
 std::string event_name(const Interaction& at, const Scattering& next) {
   if (at.is_in_medium()) return "scattering in a medium";
+  if (next.is_below) return "entering the body";
   const bool is_delta = next.departure.seeking == Seeking::alone;
   if (next.kind == ScatterKind::transmission) return is_delta ? "smooth transmission" : "rough transmission";
   if (is_delta) return "mirror reflection";

@@ -39,6 +39,7 @@ class StandIn {
     model_.coat_darkening = 0;
     std::visit([&](const auto& model) { take(model); }, material_.model);
     made_.material.model = model_;
+    if (has_subsurface(material_)) lose("light below the surface");
     for (const TextureUse& use : material_.textures)
       if (use.meaning == InputMeaning::squared_roughness) made_.roughness_power = 0.25f;
     return std::move(made_);

@@ -35,6 +35,9 @@ class StandIn {
   PbrtStandIn make() {
     made_.material = material_;
     std::visit([&](const auto& model) { made_.material.model = of(model); }, material_.model);
+    Subsurface& below = made_.material.subsurface;
+    const bool is_shown = std::holds_alternative<CoatedDiffuse>(made_.material.model) && below.weight > 0.5f;
+    if (has_subsurface(material_) && !is_shown) lose("light below the surface"), below = {};
     if (has_tangent(made_.material)) lose("the direction of the facets");
     return std::move(made_);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/subsurface.h"
 #include "core/textured_material.h"
 #include "io/pbrt/stand_in.h"
 #include "io/pbrt/text.h"
@@ -125,8 +126,12 @@ class Parameters {
     text_ += pbrt_real("scale", 1);
   }
   void add(const CoatedDiffuse& model) {
-    type("coateddiffuse");
-    color("reflectance", reflectance, model.reflectance);
+    const bool is_body = has_subsurface(material_);
+    type(is_body ? "subsurface" : "coateddiffuse");
+    color("reflectance", reflectance,
+          is_body ? emerging_of_base(model, model.reflectance) : model.reflectance);
+    if (is_body)
+      text_ += pbrt_rgb("mfp", material_.subsurface.radius) + pbrt_real("g", material_.subsurface.anisotropy);
     text_ += pbrt_real("eta", model.ior);
     rough("", roughness, model.roughness);
     remap();

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light below surfaces, as a whole picture shows it: held to the surfaces that it stands for, and furnaces.
+#include "core/subsurface.h"
+#include "accel/accelerator.h"
+#include "integrators/furnace.h"
+#include "integrators/path_reference.h"
+#include "integrators/replay.h"
+#include "tests/support/catch.h"
+#include "tests/support/engines.h"
+#include "tests/support/estimate.h"
+#include "tests/support/film.h"
+#include "tests/support/scenes.h"
+#include "tests/support/traced_records.h"
+
+namespace twinray::test {
+namespace {
+
+constexpr Rgb skin{0.8f, 0.5f, 0.2f};
+
+Principled layered() {
+  Principled model{.base_color = skin, .specular_roughness = 0.4f};
+  model.coat_weight = 0.7f, model.coat_roughness = 0.2f;
+  model.fuzz_weight = 0.4f;
+  return model;
+}
+
+/// A ball of radius 1 around the origin, of which the camera sees a small part along -z; a lamp above.
+Scene lit_ball(const SurfaceModel& model, const Subsurface& below) {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}});
+  scene.materials = {{.name = "ball", .model = model, .subsurface = below}};
+  scene.bindings = {{0}};
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+  add_light(scene, constant_sky({0.2f, 0.2f, 0.2f}));
+  add_lamp(scene, SphereSet{"lamp", {{{2, 2, 3}, 0.5f}}}, {20, 20, 20}, EmissionSide::front);
+  return scene;
+}
+
+/// Bodies of several kinds in a room; one with an eye within.
+Scene scene_of_bodies() {
+  Scene scene = small_room();
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  const auto add = [&](const SurfaceModel& model, const Subsurface& below, const Sphere& ball) {
+    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+    scene.materials.push_back({.name = "", .model = model, .subsurface = below});
+    shapes.push_back(SphereSet{"", {ball}});
+  };
+  add(CoatedDiffuse{skin, {}, 1.33f}, {{0.3f, 0.1f, 0.05f}, 0.5f}, {{0, -0.2f, 0.1f}, 0.5f});
+  add(Lambert{}, {}, {{0, -0.2f, 0.2f}, 0.2f});
+  add(CoatedDiffuse{skin, {0.3f, 0.3f}, 1.5f}, {{0.1f, 0.1f, 0.4f}, -0.3f, 0.6f}, {{0.5f, 0.4f, 0}, 0.3f});
+  add(layered(), {{0.05f, 0.1f, 0.2f}}, {{-0.5f, 0.3f, 0.2f}, 0.35f});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  add_light(scene, PointLight{{0.2f, 0.4f, 0.3f}, {0.3f, 0.2f, 0.1f}, {}});
+  check_scene(scene);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("a body that absorbs nothing cannot be told from a white sky, by every way of finding light") {
+  for (const SurfaceModel& model :
+       {SurfaceModel(CoatedDiffuse{white, {}, 1.5f}), SurfaceModel(CoatedDiffuse{white, {}, 1})})
+    for (const DirectMethod method : all_methods) {
+      CAPTURE(std::get<CoatedDiffuse>(model).ior, int(method));
+      Scene scene = ball_under_sky(model);
+      scene.materials.back().subsurface = {{0.5f, 0.2f, 1}, 0.4f};
+      check_mean(estimate(scene, {.max_depth = 30, .direct = method, .roulette = {1}}, small_picture(1024)),
+                 1, 0.2);
+    }
+}
+
+TEST_CASE("where light goes no way below, a body is what its base would be, by lamps and by directions") {
+  for (const SurfaceModel& model :
+       {SurfaceModel(CoatedDiffuse{skin, {}, 1.5f}), SurfaceModel(CoatedDiffuse{skin, {0.3f, 0.3f}, 1.33f}),
+        SurfaceModel(layered())})
+    for (const float weight : {1.0f, 0.4f})
+      for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights}) {
+        CAPTURE(model.index(), weight, int(method));
+        const PathOptions path{.max_depth = 3, .direct = method};
+        const auto seen = [&](const Subsurface& below) {
+          return estimate(lit_ball(model, below), path, small_picture(4096));
+        };
+        check_same_mean(seen({{0.002f, 0.002f, 0.002f}, 0, weight}), seen({}), 0.05);
+      }
+}
+
+TEST_CASE("light comes out of a body where no lamp shines on it") {
+  // A lamp behind the ball.
+  const auto seen = [](const Subsurface& below) {
+    Scene scene = lit_ball(CoatedDiffuse{skin, {}, 1.33f}, below);
+    scene.lights.clear();
+    scene.bindings[1].light = no_light;
+    add_light(scene, PointLight{{0, 0, -3}, {9, 9, 9}, {}});
+    return estimate(scene, {.max_depth = 1}, small_picture(1024)).mean;
+  };
+  CHECK(seen({}) == 0);
+  CHECK(seen({{1, 1, 1}}) > 10 * seen({{0.2f, 0.2f, 0.2f}}));
+  CHECK(seen({{0.2f, 0.2f, 0.2f}}) > 0);
+}
+
+TEST_CASE("a lit walk through a body counts as one bounce") {
+  const Scene scene = lit_ball(CoatedDiffuse{skin, {}, 1}, {{0.1f, 0.1f, 0.1f}});
+  CHECK(estimate(scene, {.max_depth = 0}, small_picture(4)).mean == 0);
+  CHECK(estimate(scene, {.max_depth = 1}, small_picture(256)).mean > 0.1);
+  // And it is diffuse: none is left beyond the first where no further diffuse one may be.
+  const PathOptions limited{.max_depth = 20, .limits = {.diffuse = 0}};
+  const Film once = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), small_picture(64)).film;
+  CHECK(same_bits(render_with(scene, PathIntegrator(scene, limited), small_picture(64)).film, once));
+}
+
+TEST_CASE("bodies have the same bits on all engines, instruction sets and threads") {
+  const Scene scene = scene_of_bodies();
+  check_engines(scene, PathIntegrator(scene, {.max_depth = 3}, "scalar"));
+  check_engines(scene, PathIntegrator(scene, {.max_depth = 3}));
+}
+
+TEST_CASE("all ways of finding light agree on what comes out of bodies") {
+  const Scene scene = scene_of_bodies();
+  const auto seen = [](const Scene& of, DirectMethod method) {
+    return estimate(of, {.max_depth = 3, .direct = method}, small_picture(4096));
+  };
+  check_same_mean(seen(scene, DirectMethod::lights), seen(scene, DirectMethod::mis), 0.3);
+  // Which never finds points of light.
+  Scene lamps = scene;
+  lamps.lights.pop_back();
+  check_same_mean(seen(lamps, DirectMethod::hemisphere), seen(lamps, DirectMethod::mis), 0.3);
+}
+
+TEST_CASE("what comes out of a body is diffuse light, and the parts of a picture add up to it") {
+  const Scene scene = lit_ball(CoatedDiffuse{skin, {}, 1}, {{0.1f, 0.1f, 0.1f}});
+  RenderOptions options = small_picture(256);
+  options.light_paths = true;
+  const Film film = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), options).film;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const std::vector<Rgb> parts = parts_at(film, Division::paths, x, y);
+      const Rgb direct = parts[std::size_t(LightPath::diffuse_direct)], whole = film.pixel(x, y).mean();
+      CHECK_FALSE(is_black(direct));
+      CHECK(direct.g == Approx(whole.g).epsilon(1e-5));
+      CHECK(is_black(parts[std::size_t(LightPath::transmission_direct)]));
+    }
+}
+
+TEST_CASE("a replayed path names its walks below surfaces, and its terms add up to its radiance") {
+  const Scene scene = scene_of_bodies();
+  const PathIntegrator integrator(scene, {.max_depth = 3});
+  const auto engine = build_accelerator(default_backend(), scene.geometry);
+  const RenderOptions options = small_picture(64);
+  int walks = 0;
+  for (std::uint32_t index = 0; index < 64; ++index) {
+    const Replay made = replay({scene, *engine, integrator}, {.max_depth = 3}, options, {1, 2, index});
+    CHECK(made.path.sum() == made.radiance);
+    for (const PathVertex& vertex : made.path.vertices()) {
+      walks += vertex.arrival.events_below.has_value();
+      if (vertex.arrival.events_below) CHECK(vertex.surface->is_emerging());
+    }
+  }
+  CHECK(walks > 0);
+}
+
+TEST_CASE("a furnace takes the base for what is below it") {
+  const Scene scene = lit_ball(CoatedDiffuse{skin, {}, 1.5f}, {{0.1f, 0.1f, 0.1f}});
+  const Scene bare = lit_ball(CoatedDiffuse{skin, {}, 1.5f}, {});
+  CHECK(same_bits(render_with(scene, FurnaceIntegrator(scene, 3), small_picture(16)).film,
+                  render_with(bare, FurnaceIntegrator(bare, 3), small_picture(16)).film));
+}
+
+}  // namespace twinray::test
