@@ -124,10 +124,19 @@ TEST_CASE("info tells of media, and of the memory of those that are not even") {
       "\"rgb sigma_s\" [ 0 0 0 ] MediumInterface \"m\" \"air\" Material \"interface\" Shape \"sphere\"");
   const nlohmann::json info = info_of(scene);
   CHECK(info["media"] ==
-        nlohmann::json{{"absorbing", 1}, {"scattering", 1}, {"uneven", 1}, {"atmosphere", true}});
+        nlohmann::json{
+            {"absorbing", 1}, {"scattering", 1}, {"uneven", 1}, {"subsurface", 0}, {"atmosphere", true}});
   CHECK(info["memory_bytes"]["densities of media"] == 4 * 3 * 3 * 4);
   CHECK(contains(run_program("info " + quoted(scene)).out,
                  "media: 1 that absorb, 1 that scatter light, 1 of them not even; an atmosphere\n"));
+}
+
+TEST_CASE("info tells below how many materials light is scattered") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt");
+  write_text(scene, "WorldBegin Material \"subsurface\" Shape \"sphere\"");
+  CHECK(info_of(scene)["media"]["subsurface"] == 1);
+  CHECK(contains(run_program("info " + quoted(scene)).out, "light below the surface: of 1 material\n"));
 }
 
 TEST_CASE("info tells what is stored, and what instances show") {

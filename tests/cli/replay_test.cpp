@@ -155,6 +155,30 @@ TEST_CASE("a replay says where a medium has scattered the path") {
   CHECK(first["scattering"]["cosine"] == 1);
 }
 
+TEST_CASE("a replay says where a path goes below a surface, and where it comes out") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt"), replay = folder.file("a.json");
+  write_text(scene,
+             "LookAt 0 0 9  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 0.001 "
+             "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 6 WorldBegin "
+             "LightSource \"infinite\" Material \"subsurface\" \"float eta\" 1 "
+             "\"rgb reflectance\" [ 0.5 0.5 0.5 ] \"rgb mfp\" [ 0.25 0.25 0.25 ] Shape \"sphere\"");
+  const ProcessResult result =
+      run_program(quoted(scene) + " -m 3 -s 1 --replay 2 2 0 --replay-json " + quoted(replay));
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "goes on          by entering the body along "));
+  CHECK(contains(result.out, "Vertex 2: out of the body, after "));
+  CHECK(contains(result.out, " by the body, over the density of the walk\n"));
+  const json vertices = json::parse(read_text(replay))["vertices"];
+  CHECK_FALSE(vertices[0].contains("events_below"));
+  CHECK(int(vertices[1]["events_below"]) > 0);
+  // It absorbs the same of all channels.
+  const float left = vertices[1]["transmittance"][0];
+  CHECK((left > 0 && left < 1));
+  CHECK(float(vertices[1]["throughput"][0]) == Approx(left).epsilon(1e-5));
+  CHECK(vertices[1]["surface"]["model"] == "coated_diffuse");
+}
+
 TEST_CASE("a replay draws the path as lines from the camera to its vertices") {
   const TemporaryFolder folder;
   const std::string obj = folder.file("a.obj"), text = folder.file("a.json");

@@ -109,6 +109,8 @@ Scene everything() {
     if (std::holds_alternative<Interface>(model)) scene.atmosphere = std::uint32_t(scene.materials.size());
     scene.materials.push_back({"m", model, {}});
   }
+  for (Material& material : scene.materials)
+    if (may_have_subsurface(material.model)) material.subsurface = {{third, seventh, 1}, -third, seventh};
   scene.materials[5].interior = {{third, seventh, 0}, 2, true, {seventh, 0, third}, -third};
   add_textures(scene);
   const Vec3 slanted = normalize({1, 2, 3});
@@ -174,6 +176,7 @@ TEST_CASE("a scene in exchange form is read with all its bits, whatever is in it
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     CHECK(maps(trip.scene.materials[i]) == maps(scene.materials[i]));
     CHECK(trip.scene.materials[i].interior == scene.materials[i].interior);
+    CHECK(trip.scene.materials[i].subsurface == scene.materials[i].subsurface);
   }
   CHECK(trip.scene.atmosphere == scene.atmosphere);
   const auto& sky = std::get<EnvironmentLight>(scene.lights[6].source);
@@ -348,6 +351,23 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
   CHECK(without("materials", "reflectance") == "a.json: materials[0]: \"reflectance\" is missing");
   CHECK(wrong("/materials/1/interior", {{"absorption", {0, 0, 0}}, {"priority", 0}, {"anisotropy", 1}}) ==
         "a.json: materials[1]: interior: \"anisotropy\" is 1; it must be from -0.99 to 0.99");
+  const nlohmann::json below{{"radius", {1, 1, 1}}, {"anisotropy", 0}, {"weight", 1}};
+  CHECK(wrong("/materials/1/subsurface", below) ==
+        "a.json: materials[1]: \"subsurface\" belongs to a \"coated_diffuse\" or an \"openpbr\" that is not "
+        "thin-walled");
+  const auto wrong_below = [&](const char* key, const nlohmann::json& value) {
+    nlohmann::json changed = below;
+    changed[key] = value;
+    return wrong("/materials/0", {{"name", "m"},
+                                  {"type", "coated_diffuse"},
+                                  {"reflectance", {1, 1, 1}},
+                                  {"alpha", {0, 0}},
+                                  {"ior", 1.5},
+                                  {"subsurface", changed}});
+  };
+  CHECK(wrong_below("radius", {1, 0, 1}).starts_with("a.json: materials[0]: subsurface: \"radius\" is 0; "));
+  CHECK(wrong_below("weight", 2) ==
+        "a.json: materials[0]: subsurface: \"weight\" is 2; it must be from 0 to 1");
   const auto wrong_grid = [&](const nlohmann::json& size, const nlohmann::json& rows, const char* file) {
     return wrong("/densities", {{{"size", size}, {"to_unit", rows}, {"file", file}}});
   };

@@ -272,8 +272,6 @@ TEST_CASE("a surface that stands for hair has the colour of its pigments") {
 
 TEST_CASE("what is not rendered is named, with what stands for it") {
   CHECK(warning_of("Material \"hair\"") == "hair is not rendered; a diffuse surface stands for it");
-  CHECK(warning_of("Material \"subsurface\"") ==
-        "light below a surface (subsurface) is not rendered; a coated diffuse surface stands for it");
   CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
         "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
   CHECK(pbrt_error("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=

@@ -7,7 +7,7 @@
 namespace twinray::test {
 namespace {
 
-const std::vector<std::string> names{"haze", "jade", "cabin", "glass", "air"};
+const std::vector<std::string> body_names{"haze", "jade", "cabin", "glass", "air"};
 
 /// Balls around the origin, the first one of haze, with others of jade, nothing and glass within it.
 Scene balls_in_haze() {
@@ -34,7 +34,7 @@ TEST_CASE("written pbrt: each body says what it lies in, and the camera what it 
   Scene scene = balls_in_haze();
   scene.camera.position = {0, 3, 0};
   Losses losses;
-  const PbrtMediaWriter in_haze(scene, names, losses);
+  const PbrtMediaWriter in_haze(scene, body_names, losses);
   CHECK(in_haze.interface_of(0) == interface_text("within haze", ""));
   CHECK(in_haze.interface_of(1) == interface_text("within jade", "within haze"));
   CHECK(in_haze.interface_of(2) == interface_text("", "within haze"));
@@ -47,7 +47,7 @@ TEST_CASE("written pbrt: each body says what it lies in, and the camera what it 
   // In a clear body, and outside of all.
   for (const Vec3& place : {Vec3{4, 0, 0}, Vec3{0, 0, 20}}) {
     scene.camera.position = place;
-    const PbrtMediaWriter clear(scene, names, losses);
+    const PbrtMediaWriter clear(scene, body_names, losses);
     CHECK(clear.view().empty());
     CHECK_FALSE(contains(clear.world(), "MediumInterface"));
   }
@@ -58,7 +58,7 @@ TEST_CASE("written pbrt: an atmosphere is outside of all that is in nothing else
   scene.camera.position = {0, 0, 20};
   scene.atmosphere = 4;
   Losses losses;
-  const PbrtMediaWriter media(scene, names, losses);
+  const PbrtMediaWriter media(scene, body_names, losses);
   CHECK(media.interface_of(0) == interface_text("within haze", "around all shapes"));
   CHECK(media.interface_of(1) == interface_text("within jade", "within haze"));
   CHECK(contains(media.view(), "MakeNamedMedium \"around all shapes\""));
