@@ -104,8 +104,8 @@ struct CoatedConductor {
 };
 
 /// OpenPBR's surface, version 1.1, with its names, meanings and defaults (Andersson et al., "OpenPBR
-/// Surface", Academy Software Foundation 2024), but for subsurface scattering and dispersion; its opacity is
-/// the shape's alpha. Weights, colours and roughnesses lie in [0, 1]. Roughness is the square root of alpha.
+/// Surface", Academy Software Foundation 2024), but for dispersion; its opacity is the shape's alpha, and what
+/// is below it the material's Subsurface. Weights, colours and roughnesses lie in [0, 1]. Roughness is the square root of alpha.
 struct Principled {
   float base_weight = 1;
   Rgb base_color{0.8f, 0.8f, 0.8f};

@@ -164,6 +164,7 @@ BsdfSample Interaction::sample(float lobe, Vec2 u) const {
     const auto [value, pdf] = value_by_base(wi);
     return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = true};
   }
+  if (goes_below(lobe)) return sample_below(u);
   BsdfSample sample = bsdf_->sample(wo_local_, lobe, u);
   if (part_ == Part::whole || sample.pdf == 0 || sample.is_delta) return sample;
   const auto [value, pdf] = value_by_base(sample.wi);

@@ -73,13 +73,12 @@ class Interaction {
     const auto [value, pdf] = value_of_part(local);
     return {is_consistent(wi) ? value * (std::fabs(local.z) * kept(wi)) : Rgb{}, pdf};
   }
-  /// A direction of scattered light, as Bsdf::sample() gives it.
+  /// A direction of scattered light, as Bsdf::sample() gives it. Where goes_below(lobe), it is one below the
+  /// surface, with the value of a base that reflects all of the light: the walk there (walk_below.h) loses
+  /// what the base would absorb.
   BsdfSample sample(float lobe, Vec2 u) const;
-  /// Whether the draw `lobe` lets a path go below the surface,
+  /// Whether the draw `lobe` lets a path go below the surface.
   bool goes_below(float lobe) const;
-  /// and in which direction then, as sample() gives it: of a base that reflects all of the light below it, for
-  /// the walk there loses what the base would absorb.
-  BsdfSample sample_below(Vec2 u) const;
   /// What the surface would reflect that is above the body.
   Rgb reflectance_below() const { return bsdf_->matte_base(wo_local_).reflectance; }
   /// The cosine that belongs to a sample's value, >= 0; in a medium there is none: 1.
@@ -132,6 +131,7 @@ class Interaction {
     return part_ == Part::whole ? bsdf_->evaluate(wo_local_, local) : value_by_base(local);
   }
   BsdfValue value_by_base(const Vec3& local) const;
+  BsdfSample sample_below(Vec2 u) const;
 
   SurfacePoint point_;
   std::uint32_t material_;

@@ -14,29 +14,31 @@ ScatterKind kind_of(const Interaction& at, const BsdfSample& sample) {
   return sample.is_diffuse ? ScatterKind::diffuse : ScatterKind::glossy;
 }
 
-/// Into the body, whatever the normals say.
-std::optional<Scattering> enter(const Interaction& at, const Rgb& throughput, Vec2 u) {
-  const BsdfSample sample = at.sample_below(u);
-  const Rgb next = throughput * sample.value * (at.cosine(sample) / sample.pdf);
-  if (is_black(next)) return std::nullopt;
-  Vec3 wi = at.to_world(sample.wi);
+/// Where the sample goes into a body, it does so whatever the normals say.
+Vec3 into_body(const Interaction& at, const Vec3& wi) {
   const Vec3 outward = facing(at.point().geometric_normal, at.wo());
-  if (const float above = dot(outward, wi); above > 0) wi = wi - outward * (2 * above);
-  return Scattering{wi,  next, {at.receiver(), sample.pdf}, at.interiors(at.wo()), 1, ScatterKind::diffuse,
-                    true};
+  const float above = dot(outward, wi);
+  return above > 0 ? wi - outward * (2 * above) : wi;
 }
 
 }  // namespace
 
 std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, float lobe, Vec2 u) {
-  if (at.goes_below(lobe)) return enter(at, throughput, u);
   const BsdfSample sample = at.sample(lobe, u);
   if (sample.pdf == 0) return std::nullopt;
   const Vec3 wi = at.to_world(sample.wi);
-  if (!at.is_consistent(wi)) return std::nullopt;
-  const Rgb next = throughput * sample.value * (at.kept(wi) * at.cosine(sample) / sample.pdf);
+  const bool is_below = at.goes_below(lobe);
+  if (!is_below && !at.is_consistent(wi)) return std::nullopt;
+  const float kept = is_below ? 1 : at.kept(wi);
+  const Rgb next = throughput * sample.value * (kept * at.cosine(sample) / sample.pdf);
   if (is_black(next)) return std::nullopt;
   const Departure departure{at.receiver(), sample.pdf, seeking_of(at, sample)};
+  if (is_below)
+    return Scattering{.direction = into_body(at, wi),
+                      .throughput = next,
+                      .departure = departure,
+                      .interiors = at.interiors(at.wo()),
+                      .is_below = true};
   return Scattering{wi, next, departure, at.interiors(wi), sample.eta, kind_of(at, sample)};
 }
 

@@ -184,6 +184,15 @@ TEST_CASE("haze.pbrt shows a cloud and jade, in a room of haze") {
   CHECK(scattering == 3);
 }
 
+TEST_CASE("subsurface.pbrt shows pawns below three of which light is scattered, and a matte one") {
+  const LoadedScene loaded = load("subsurface.pbrt");
+  CHECK(loaded.warnings.empty());
+  std::set<float> radii;
+  for (const ShapeBinding& binding : loaded.scene.bindings)
+    radii.insert(loaded.scene.materials[binding.material].subsurface.radius.g);
+  CHECK(radii == std::set<float>{0, 0.02f, 0.2f, 0.3f});
+}
+
 TEST_CASE("films.pbrt shows films of six thicknesses on steel, on enamel, and alone") {
   const LoadedScene loaded = load("films.pbrt");
   CHECK(loaded.warnings.empty());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/subsurface_material.h"
 
+#include <algorithm>
+
 #include "core/subsurface.h"
 #include "core/textured_material.h"
 #include "io/pbrt/measured_media.h"
@@ -136,7 +138,8 @@ TEST_CASE("written pbrt: a body comes back, and what pbrt's cannot be is named")
         std::vector<std::string>{
             "light below the surface of a material of the type coated_diffuse is left out"});
   scene.materials[0].subsurface.weight = 1;
-  CHECK(round_trip(scene, "a.gltf").warnings.back() == "light below the surface of a material is left out");
+  const std::vector<std::string> lost = round_trip(scene, "a.gltf").warnings;
+  CHECK(std::count(lost.begin(), lost.end(), "light below the surface of a material is left out") == 1);
 }
 
 }  // namespace twinray::test
