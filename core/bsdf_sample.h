@@ -17,7 +17,7 @@ struct MatteBase {
   /// The BSDF's sample() takes its direction from it where its number `lobe` is in [first, first +
   /// probability).
   float first = 0, probability = 0;
-  Rgb albedo;       ///< Of light that goes along wo, the part that comes back from it: the integral of f |cos|.
+  Rgb albedo;  ///< Of light that goes along wo, the part that comes back from it: the integral of f |cos|.
   Rgb reflectance;  ///< Its own, in [0, 1], without layers.
 };
 

@@ -104,8 +104,9 @@ struct CoatedConductor {
 };
 
 /// OpenPBR's surface, version 1.1, with its names, meanings and defaults (Andersson et al., "OpenPBR
-/// Surface", Academy Software Foundation 2024), but for dispersion; its opacity is the shape's alpha, and what
-/// is below it the material's Subsurface. Weights, colours and roughnesses lie in [0, 1]. Roughness is the square root of alpha.
+/// Surface", Academy Software Foundation 2024), but for dispersion; its opacity is the shape's alpha, and
+/// what is below it the material's Subsurface. Weights, colours and roughnesses lie in [0, 1]. Roughness is
+/// the square root of alpha.
 struct Principled {
   float base_weight = 1;
   Rgb base_color{0.8f, 0.8f, 0.8f};
@@ -237,7 +238,7 @@ struct Material {
   SurfaceModel model = Lambert{};
   std::vector<TextureUse> textures;  ///< In place of the model's own numbers; mostly none.
   Interior interior = {};
-  Subsurface subsurface = {};  ///< Of a CoatedDiffuse or a Principled that is no sheet.
+  Subsurface subsurface = {};             ///< Of a CoatedDiffuse or a Principled that is no sheet.
   std::uint32_t normal_map = no_texture;  ///< Textures that bend the shading normal (core/shading_map.h), if
   std::uint32_t bump_map = no_texture;    ///< any: by its own direction, or by a height in scene units.
   /// Of facets of unequal widths: where the tangent is, counter-clockwise from dp/du around the shading

@@ -27,8 +27,8 @@ struct PathArrival {
   /// Media scatter on the way: the above is over the probability that the path has come so far or, where it
   /// was scattered, what is scattered over the density of that (integrators/flight.h).
   bool is_flight = false;
-  /// The ray comes from below a surface (integrators/walk_below.h), where the path was scattered so often: the
-  /// above is of the whole walk.
+  /// The ray comes from below a surface (integrators/walk_below.h), where the path was scattered so often:
+  /// the above is of the whole walk.
   std::optional<std::uint32_t> events_below;
 };
 

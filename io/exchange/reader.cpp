@@ -106,7 +106,8 @@ class SceneReader {
         });
       if (entry.has("subsurface")) {
         if (!may_have_subsurface(material.model))
-          entry.fail("subsurface", "belongs to a \"coated_diffuse\" or an \"openpbr\" that is not thin-walled");
+          entry.fail("subsurface",
+                     "belongs to a \"coated_diffuse\" or an \"openpbr\" that is not thin-walled");
         entry.within("subsurface",
                      [&](const Entry& inside) { members(MemberReader(inside), material.subsurface); });
       }

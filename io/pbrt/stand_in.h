@@ -7,7 +7,8 @@ namespace twinray {
 
 /// What pbrt has in place of a material: one whose model is Lambert, Dielectric, Conductor,
 /// DiffuseTransmission, CoatedDiffuse, CoatedConductor, Interface or Mix, without factors that pbrt has not.
-/// What differs is named. Light below a surface is that of a CoatedDiffuse, of all that its base reflects. A texture of a roughness keeps the meaning of its model: see `squares_roughness`.
+/// What differs is named. Light below a surface is that of a CoatedDiffuse, of all that its base reflects. A
+/// texture of a roughness keeps the meaning of its model: see `squares_roughness`.
 struct PbrtStandIn {
   Material material;
   bool squares_roughness = false;  ///< The textures' roughness is the root of alpha, as OpenPBR has it.

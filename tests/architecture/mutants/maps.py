@@ -38,7 +38,7 @@ MUTANTS = [
     Mutant("light of mapped surfaces is not softened", "integrators/interaction.h",
            "if (!shading_.is_mapped) return 1;", "return 1;", "test_integrators", SOFT),
     Mutant("scattered rays of mapped surfaces are not softened", "integrators/scattering.cpp",
-           "at.kept(wi) * at.cosine(sample)", "at.cosine(sample)", "test_integrators",
+           "is_below ? 1 : at.kept(wi)", "1", "test_integrators",
            "what a mirror with a map shows is softened as light samples are"),
     Mutant("lanes take Lambert's surfaces with maps", "integrators/wave/shape_table.cpp",
            "has_map(material) ? nullptr : std::get_if<Lambert>(&material.model)",

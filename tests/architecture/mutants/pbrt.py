@@ -25,7 +25,7 @@ MUTANTS = [
     Mutant("a reversed shape keeps its normals", "io/pbrt/shape.cpp",
            "for (Vec3& normal : mesh.normals) normal = -normal;", "{}",
            "test_io", "shading normals say which side is outside, whatever the winding"),
-    Mutant("a roughness is alpha, remapped or not", "io/pbrt/material.cpp",
+    Mutant("a roughness is alpha, remapped or not", "io/pbrt/material_inputs.cpp",
            "is_remapped ? alpha_of_roughness(in_range) : in_range", "in_range",
            "test_io", "a roughness is the square of alpha, unless it is not remapped"),
     Mutant("a lamp of two sides has the power of one", "io/pbrt/light.cpp",
