@@ -71,17 +71,25 @@ Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
   return std::visit(of, lobes_);
 }
 
-MatteBase Bsdf::matte_base(const Vec3& wo) const {
-  const auto of = [&](const auto& lobe) -> MatteBase {
-    if constexpr (requires { lobe.matte_base(wo); }) return lobe.matte_base(wo);
+BelowSurface Bsdf::below(const Vec3& wo) const {
+  const auto of = [&](const auto& lobe) -> BelowSurface {
+    if constexpr (requires { lobe.below(wo); }) return lobe.below(wo);
     return {};
   };
   return std::visit(of, lobes_);
 }
 
-Rgb Bsdf::of_matte_base(const Vec3& wo, const Vec3& wi) const {
+Rgb Bsdf::of_below(const Vec3& wo, const Vec3& wi) const {
   const auto of = [&](const auto& lobe) -> Rgb {
-    if constexpr (requires { lobe.of_matte_base(wo, wi); }) return lobe.of_matte_base(wo, wi);
+    if constexpr (requires { lobe.of_below(wo, wi); }) return lobe.of_below(wo, wi);
+    return {};
+  };
+  return std::visit(of, lobes_);
+}
+
+Rgb Bsdf::from_below(const Vec3& wi) const {
+  const auto of = [&](const auto& lobe) -> Rgb {
+    if constexpr (requires { lobe.from_below(wi); }) return lobe.from_below(wi);
     return {};
   };
   return std::visit(of, lobes_);

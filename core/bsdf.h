@@ -55,10 +55,13 @@ class Bsdf {
   }
   /// What of it the matte part of the surface scatters, towards the side of wo.
   Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
-  /// Of a lobe that light below the surface may stand for; else nothing is.
-  MatteBase matte_base(const Vec3& wo) const;
-  /// What of evaluate() is the matte base's.
-  Rgb of_matte_base(const Vec3& wo, const Vec3& wi) const;
+  /// What light below the surface may stand for; nothing of most lobes.
+  BelowSurface below(const Vec3& wo) const;
+  /// What of evaluate() is that.
+  Rgb of_below(const Vec3& wo, const Vec3& wi) const;
+  /// How light leaves the surface that comes from all directions below, in place of f: its integral with the
+  /// cosine is 1.
+  Rgb from_below(const Vec3& wi) const;
   /// A direction, from a number in [0, 1) that chooses among ways of scattering and two in the unit square.
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const {
     return std::visit([&](const auto& l) { return l.sample(wo, lobe, u); }, lobes_);

@@ -11,14 +11,14 @@ struct BsdfValue {
   float pdf = 0;  ///< The density, per solid angle, with which the BSDF's sample() chooses wi.
 };
 
-/// What the matte base of a surface, below all of its layers, does: what light below the surface stands for
-/// (core/subsurface.h).
-struct MatteBase {
+/// What of the matte base of a surface, below all of its layers, may go below the surface
+/// (core/subsurface.h): as it is reflected where it does not.
+struct BelowSurface {
   /// The BSDF's sample() takes its direction from it where its number `lobe` is in [first, first +
   /// probability).
   float first = 0, probability = 0;
   Rgb albedo;  ///< Of light that goes along wo, the part that comes back from it: the integral of f |cos|.
-  Rgb reflectance;  ///< Its own, in [0, 1], without layers.
+  Rgb reflectance;  ///< Of that base, in [0, 1], without layers.
 };
 
 /// A direction in which light is scattered, in the frame of core/bsdf.h.

@@ -13,16 +13,6 @@ constexpr int slots = 4;
 
 std::uint64_t slot(std::uint64_t bits, int i) { return bits >> (16 * i) & 0xffff; }
 
-float ior_of(const SurfaceModel& model) {
-  return std::visit(
-      [](const auto& m) {
-        if constexpr (requires { m.ior; }) return m.ior;
-        if constexpr (requires { m.specular_ior; }) return m.specular_ior;
-        return 1.0f;
-      },
-      model);
-}
-
 /// Whether a material is this one or, if that is a mix, a part of it.
 bool is_part(std::uint32_t index, std::uint32_t of, std::span<const Material> materials) {
   const Mix* const mix = std::get_if<Mix>(&materials[of].model);
@@ -89,6 +79,16 @@ void forget_clear_interiors(std::span<Material> materials) {
   };
   if (std::any_of(materials.begin(), materials.end(), matters)) return;
   for (Material& material : materials) material.interior.is_clear = false;
+}
+
+float ior_of(const SurfaceModel& model) {
+  return std::visit(
+      [](const auto& m) {
+        if constexpr (requires { m.ior; }) return m.ior;
+        if constexpr (requires { m.specular_ior; }) return m.specular_ior;
+        return 1.0f;
+      },
+      model);
 }
 
 bool has_flights(std::span<const Material> materials) {

@@ -41,6 +41,9 @@ class Interiors {
 /// something clear: it need not.
 void forget_clear_interiors(std::span<Material> materials);
 
+/// The index of refraction of what is within a surface of this model, to what is outside; 1 of others.
+float ior_of(const SurfaceModel& model);
+
 /// Whether anything scatters light on its way between surfaces, or dims it here more than there.
 bool has_flights(std::span<const Material> materials);
 

@@ -112,6 +112,8 @@ struct Principled {
   Rgb base_color{0.8f, 0.8f, 0.8f};
   float base_diffuse_roughness = 0;
   float base_metalness = 0;
+  float subsurface_weight = 0;  ///< Of what is diffuse and goes below the surface, if there is a Subsurface.
+  Rgb subsurface_color{0.8f, 0.8f, 0.8f};
   float specular_weight = 1;
   Rgb specular_color{1, 1, 1};
   float specular_roughness = 0.3f;
@@ -168,6 +170,8 @@ enum class MaterialInput {
   base_weight,
   base_diffuse_roughness,
   base_metalness,
+  subsurface_weight,
+  subsurface_color,
   specular_weight,
   specular_color,
   specular_roughness_anisotropy,
@@ -223,12 +227,12 @@ struct Interior {
   Rgb extinction() const { return absorption + scattering; }
 };
 
-/// Light below a surface: what its matte base, under all layers, would reflect at once enters the body behind
-/// it, is scattered there, and comes out elsewhere. Flat and large, the body reflects as much as the base.
+/// Light below a surface: what the base of a CoatedDiffuse would reflect at once, or the subsurface's part of
+/// a Principled's, enters the body behind it, is scattered there, and comes out elsewhere. Flat and large,
+/// the body reflects as much as the base.
 struct Subsurface {
   Rgb radius;            ///< The mean way between scatterings, per channel, > 0; black: there is none below.
   float anisotropy = 0;  ///< Of what is scattered: core/phase_function.h.
-  float weight = 1;      ///< The part of that light that goes below, in [0, 1]; the base reflects the rest.
 
   bool operator==(const Subsurface&) const = default;
 };

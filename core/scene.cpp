@@ -142,7 +142,7 @@ void check_interior(const Scene& scene, std::size_t index) {
 
 void check_subsurface(const Scene& scene, std::size_t index) {
   const Material& material = scene.materials[index];
-  const auto& [radius, anisotropy, weight] = material.subsurface;
+  const auto& [radius, anisotropy] = material.subsurface;
   if (!has_subsurface(material)) return;
   if (!may_have_subsurface(material.model))
     throw Error(fmt::format("material {} has a subsurface, and its model has no base above it", index));
@@ -154,9 +154,6 @@ void check_subsurface(const Scene& scene, std::size_t index) {
     throw Error(fmt::format("material {} has a subsurface of the anisotropy {:g}; valid are -{:g} to {:g}",
                             index, anisotropy, PhaseFunction::most_anisotropy,
                             PhaseFunction::most_anisotropy));
-  if (!(weight >= 0 && weight <= 1))
-    throw Error(
-        fmt::format("material {} has a subsurface of the weight {:g}; valid are 0 to 1", index, weight));
 }
 
 void check_atmosphere(const Scene& scene) {

@@ -64,6 +64,7 @@ bool with_principled_input(Principled& model, MaterialInput input, const Use& us
       {MaterialInput::base_weight, &Principled::base_weight},
       {MaterialInput::base_diffuse_roughness, &Principled::base_diffuse_roughness},
       {MaterialInput::base_metalness, &Principled::base_metalness},
+      {MaterialInput::subsurface_weight, &Principled::subsurface_weight},
       {MaterialInput::specular_weight, &Principled::specular_weight},
       {MaterialInput::roughness, &Principled::specular_roughness},
       {MaterialInput::specular_roughness_anisotropy, &Principled::specular_roughness_anisotropy},
@@ -76,6 +77,7 @@ bool with_principled_input(Principled& model, MaterialInput input, const Use& us
       {MaterialInput::thin_film_weight, &Principled::thin_film_weight}};
   constexpr std::pair<MaterialInput, Rgb Principled::*> colors[] = {
       {MaterialInput::reflectance, &Principled::base_color},
+      {MaterialInput::subsurface_color, &Principled::subsurface_color},
       {MaterialInput::specular_color, &Principled::specular_color},
       {MaterialInput::transmission_color, &Principled::transmission_color},
       {MaterialInput::coat_color, &Principled::coat_color},
@@ -147,6 +149,8 @@ const char* input_name(MaterialInput input) {
                                    "base_weight",
                                    "base_diffuse_roughness",
                                    "base_metalness",
+                                   "subsurface_weight",
+                                   "subsurface_color",
                                    "specular_weight",
                                    "specular_color",
                                    "specular_roughness_anisotropy",
@@ -193,6 +197,25 @@ void widen(Principled& model, float strength) {
 void set_fuzz(Principled& model, const Rgb& weighted_color) {
   model.fuzz_weight = max_component(weighted_color);
   model.fuzz_color = model.fuzz_weight > 0 ? weighted_color / model.fuzz_weight : weighted_color;
+}
+
+Material with_one_base(const Material& material) {
+  Material one = material;
+  auto* const model = std::get_if<Principled>(&one.model);
+  if (!model) return one;
+  const bool is_below = model->subsurface_weight >= 0.5f;
+  const auto is_other = [&](const TextureUse& use) {
+    using enum MaterialInput;
+    if (use.input == subsurface_weight) return true;
+    return is_below ? use.input == reflectance || use.input == base_weight : use.input == subsurface_color;
+  };
+  std::erase_if(one.textures, is_other);
+  if (is_below) model->base_color = model->subsurface_color, model->base_weight = 1;
+  for (TextureUse& use : one.textures)
+    if (use.input == MaterialInput::subsurface_color) use.input = MaterialInput::reflectance;
+  model->subsurface_weight = 0;
+  if (!is_below) one.subsurface = {};
+  return one;
 }
 
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,

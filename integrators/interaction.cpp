@@ -7,12 +7,6 @@
 namespace twinray {
 namespace {
 
-Side side_of(const SurfacePoint& point, const Vec3& wo) {
-  const bool is_before = dot(point.geometric_normal, wo) > 0;
-  const bool points_outside = dot(point.geometric_normal, point.shading_normal) >= 0;
-  return is_before == points_outside ? Side::outside : Side::inside;
-}
-
 /// What a path is in at a surface. A body of a mix has at each point the surface of one of its parts: seen
 /// from inside, that part stands for the one by which the path went in, so that it is left.
 Interiors here(const Scene& scene, const SurfacePoint& point, std::uint32_t material, Side side,
@@ -36,22 +30,22 @@ Interiors behind(const Material& material, std::uint32_t index, Side side, Inter
   return before;
 }
 
-/// Of what is 0 it is 0.
-Rgb ratio(const Rgb& part, const Rgb& whole) {
-  const auto channel = [](float p, float w) { return w > 0 ? p / w : 0; };
-  return {channel(part.r, whole.r), channel(part.g, whole.g), channel(part.b, whole.b)};
-}
-
 float share(float part, float whole) { return part < whole ? part / whole : whole > 0 ? 1.0f : 0.0f; }
 
 }  // namespace
+
+Side side_of(const SurfacePoint& point, const Vec3& wo) {
+  const bool is_before = dot(point.geometric_normal, wo) > 0;
+  const bool points_outside = dot(point.geometric_normal, point.shading_normal) >= 0;
+  return is_before == points_outside ? Side::outside : Side::inside;
+}
 
 Rgb Interaction::diffuse_share(const Vec3& wi) const {
   if (is_emerging()) return {1, 1, 1};
   const Vec3 local = to_local(wi);
   const Rgb all = value_of_part(local).value;
-  const Rgb diffuse = at_least_zero(bsdf_->diffuse(wo_local_, local) -
-                                    bsdf_->of_matte_base(wo_local_, local) * weight_below_);
+  Rgb diffuse = bsdf_->diffuse(wo_local_, local);
+  if (part_ == Part::above) diffuse = at_least_zero(diffuse - bsdf_->of_below(wo_local_, local));
   return {share(diffuse.r, all.r), share(diffuse.g, all.g), share(diffuse.b, all.b)};
 }
 
@@ -82,7 +76,8 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
       wo_local_(shading_.frame.to_local(wo)),
       bsdf_(bsdfs.at(material_, point, meeting.side, {viewing.materials, meeting.within})),
       before_(viewing.interiors),
-      behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)) {
+      behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)),
+      side_(meeting.side) {
   bsdf_.look_from(wo_local_);
 }
 
@@ -110,42 +105,36 @@ Interaction Interaction::in_medium(const Scene& scene, const Vec3& position, con
 
 Interaction Interaction::emerging(const BsdfTable& bsdfs, const SurfacePoint& point, std::uint32_t material,
                                   const Vec3& outward, const Viewing& viewing) {
-  Interaction at(bsdfs, point, outward, viewing, {material, side_of(point, outward), viewing.interiors});
+  const Vec3 normal = facing(point.geometric_normal, outward);
+  Interaction at(bsdfs, point, normal, viewing, {material, side_of(point, normal), viewing.interiors});
   at.part_ = Part::emerging;
-  // The shape of a matte base is the same to all viewers, or nearly so.
-  at.wo_local_ = {0, 0, 1};
-  at.bsdf_.look_from(at.wo_local_);
   return at;
-}
-
-void Interaction::keep_above(const Subsurface& subsurface) {
-  part_ = Part::above;
-  weight_below_ = subsurface.weight;
 }
 
 bool Interaction::goes_below(float lobe) const {
   if (part_ != Part::above) return false;
-  const MatteBase base = bsdf_->matte_base(wo_local_);
-  return lobe >= base.first && lobe < base.first + base.probability * weight_below_;
+  const BelowSurface below = bsdf_->below(wo_local_);
+  return lobe >= below.first && lobe < below.first + below.probability;
 }
 
 BsdfSample Interaction::sample_below(Vec2 u) const {
-  const MatteBase base = bsdf_->matte_base(wo_local_);
+  const BelowSurface below = bsdf_->below(wo_local_);
+  const auto channel = [](float part, float whole) { return whole > 0 ? part / whole : 0; };
+  const Rgb &all = below.albedo, &base = below.reflectance;
+  const Rgb passed{channel(all.r, base.r), channel(all.g, base.g), channel(all.b, base.b)};
   const Vec3 above = square_to_cosine_hemisphere(u);
   return {.wi = {above.x, above.y, -above.z},
-          .value = ratio(base.albedo, base.reflectance) * (weight_below_ / pi),
-          .pdf = base.probability * weight_below_ * cosine_hemisphere_pdf(above.z),
+          .value = passed / pi,
+          .pdf = below.probability * cosine_hemisphere_pdf(above.z),
           .is_diffuse = true};
 }
 
-BsdfValue Interaction::value_by_base(const Vec3& local) const {
-  const MatteBase base = bsdf_->matte_base(wo_local_);
-  const Rgb value = bsdf_->of_matte_base(wo_local_, local);
+BsdfValue Interaction::value_of_layers(const Vec3& local) const {
   const float pdf = local.z > 0 ? cosine_hemisphere_pdf(local.z) : 0;
-  if (is_emerging()) return {ratio(value, base.albedo), pdf};
+  if (is_emerging()) return {bsdf_->from_below(local), pdf};
   const BsdfValue all = bsdf_->evaluate(wo_local_, local);
-  return {at_least_zero(all.value - value * weight_below_),
-          std::max(all.pdf - pdf * base.probability * weight_below_, 0.0f)};
+  return {at_least_zero(all.value - bsdf_->of_below(wo_local_, local)),
+          std::max(all.pdf - pdf * bsdf_->below(wo_local_).probability, 0.0f)};
 }
 
 BsdfValue Interaction::phase_value(const Vec3& local) const {
@@ -161,13 +150,13 @@ BsdfSample Interaction::sample(float lobe, Vec2 u) const {
   }
   if (is_emerging()) {
     const Vec3 wi = square_to_cosine_hemisphere(u);
-    const auto [value, pdf] = value_by_base(wi);
+    const auto [value, pdf] = value_of_layers(wi);
     return {.wi = wi, .value = value, .pdf = pdf, .is_diffuse = true};
   }
   if (goes_below(lobe)) return sample_below(u);
   BsdfSample sample = bsdf_->sample(wo_local_, lobe, u);
   if (part_ == Part::whole || sample.pdf == 0 || sample.is_delta) return sample;
-  const auto [value, pdf] = value_by_base(sample.wi);
+  const auto [value, pdf] = value_of_layers(sample.wi);
   sample.value = value;
   sample.pdf = pdf;
   return sample;

@@ -12,6 +12,9 @@
 
 namespace twinray {
 
+/// On which side of a surface a viewer is, in a direction from there.
+Side side_of(const SurfacePoint& point, const Vec3& wo);
+
 /// A point where light is scattered together with the direction it is seen from: what scattering needs.
 /// Mostly a point of a surface; else one in a medium, all directions from which lie in the medium.
 ///
@@ -27,12 +30,12 @@ class Interaction {
   static Interaction in_medium(const Scene& scene, const Vec3& position, const Vec3& wo,
                                const Viewing& viewing);
 
-  /// Of a point of the surface of a material where a path comes out of the body, along `outward`.
+  /// Of a point of the surface of a material where a path comes out of the body, to that side of it.
   static Interaction emerging(const BsdfTable& bsdfs, const SurfacePoint& point, std::uint32_t material,
                               const Vec3& outward, const Viewing& viewing);
   /// From now on light that goes below the surface (core/subsurface.h) is none that this scatters: where
   /// goes_below(lobe), the path goes there.
-  void keep_above(const Subsurface& subsurface);
+  void keep_above() { part_ = Part::above; }
 
   bool is_in_medium() const { return phase_.has_value(); }
   /// In a medium it is a point that rays leave as they are.
@@ -49,6 +52,8 @@ class Interaction {
   bool is_lambert() const { return bsdf_->is_lambert(); }
   /// Whether a path has come out of the body here.
   bool is_emerging() const { return part_ == Part::emerging; }
+  /// On which side of the surface the viewer is.
+  Side side() const { return side_; }
   const Vec3& wo() const { return wo_; }              ///< World space.
   const Vec3& wo_local() const { return wo_local_; }  ///< z > 0.
   const Vec3& normal() const { return shading_.frame.normal; }
@@ -79,8 +84,8 @@ class Interaction {
   BsdfSample sample(float lobe, Vec2 u) const;
   /// Whether the draw `lobe` lets a path go below the surface.
   bool goes_below(float lobe) const;
-  /// What the surface would reflect that is above the body.
-  Rgb reflectance_below() const { return bsdf_->matte_base(wo_local_).reflectance; }
+  /// Of the base that stands for the body.
+  Rgb reflectance_below() const { return bsdf_->below(wo_local_).reflectance; }
   /// The cosine that belongs to a sample's value, >= 0; in a medium there is none: 1.
   float cosine(const BsdfSample& sample) const { return phase_ ? 1 : std::fabs(sample.wi.z); }
   /// Whether light from a direction goes through the surface; all light goes through media.
@@ -125,12 +130,12 @@ class Interaction {
   enum class Part : std::uint8_t {
     whole,
     above,     ///< Without what goes below,
-    emerging,  ///< or what comes out from there, of all directions: the shape of the matte base.
+    emerging,  ///< or what comes out from there.
   };
   BsdfValue value_of_part(const Vec3& local) const {
-    return part_ == Part::whole ? bsdf_->evaluate(wo_local_, local) : value_by_base(local);
+    return part_ == Part::whole ? bsdf_->evaluate(wo_local_, local) : value_of_layers(local);
   }
-  BsdfValue value_by_base(const Vec3& local) const;
+  BsdfValue value_of_layers(const Vec3& local) const;
   BsdfSample sample_below(Vec2 u) const;
 
   SurfacePoint point_;
@@ -143,7 +148,7 @@ class Interaction {
   std::optional<PhaseFunction> phase_;  ///< Of a point in a medium.
   Interiors before_, behind_;
   Part part_ = Part::whole;
-  float weight_below_ = 0;  ///< Of the matte base, the part that goes below.
+  Side side_ = Side::outside;
 };
 
 }  // namespace twinray

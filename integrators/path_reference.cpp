@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/path_reference.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/spawn_ray.h"
@@ -10,6 +12,14 @@
 #include "integrators/walk_below.h"
 
 namespace twinray {
+namespace {
+
+Rgb at_least(const Rgb& color, float least) {
+  return {std::max(color.r, least), std::max(color.g, least), std::max(color.b, least)};
+}
+
+}  // namespace
+
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene),
       options_(options),
@@ -141,28 +151,45 @@ Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, 
   const Vec3 wo = -normalize(path.ray.direction);
   if (end.in_medium) return Interaction::in_medium(scene_, *end.in_medium, wo, path.viewing);
   Interaction at(bsdfs_, arrive_at(end.hit, sampler, path), wo, path.viewing);
-  const Material& material = scene_.materials[at.material()];
-  if (has_subsurface(material)) at.keep_above(material.subsurface);
+  if (goes_below(at)) at.keep_above();
   return at;
+}
+
+bool PathReference::goes_below(const Interaction& at) const {
+  const Material& material = scene_.materials[at.material()];
+  if (max_component(material.subsurface.radius) < least_radius * at.point().offset) return false;
+  if (!has_subsurface(material) || at.side() == Side::outside) return has_subsurface(material);
+  // Nothing but a walk gets into a body that is opaque: that is how its surface is turned.
+  const ShapeBinding& binding = scene_.bindings[at.point().shape];
+  return binding.material == at.material() && binding.alpha == no_texture && !lets_light_in(material);
 }
 
 std::optional<Interaction> PathReference::emerge(const Interaction& from, const WalkDraws& draws,
                                                  Tracer& tracer, State& path) const {
-  const std::uint32_t material = from.material(), body = scene_.bindings[from.point().shape].material;
-  const Interior medium = medium_below(scene_.materials[material].subsurface, from.reflectance_below());
-  const auto end = walk_below(scene_, tracer, medium, body, path.ray, path.throughput, draws);
+  const SurfacePoint& in = from.point();
+  const std::uint32_t material = from.material(), body = scene_.bindings[in.shape].material;
+  Subsurface below = scene_.materials[material].subsurface;
+  below.radius = at_least(below.radius, least_radius * in.offset);
+  // The way to the ray's origin, as steep as it mostly is.
+  const float cosine = std::fabs(dot(in.geometric_normal, path.ray.direction));
+  const WalkStart start{path.ray, in.offset / std::max(cosine, 0.25f), path.viewing.interiors};
+  const auto end = walk_below(scene_, tracer, medium_below(below, from.reflectance_below()), body, start,
+                              path.throughput, draws);
   if (!end) return std::nullopt;
   path.ray = end->ray;
   path.throughput = path.throughput * end->left;
+  path.viewing.interiors = end->interiors;
+  path.eta_squared *= end->eta_squared;
   tracer.observer().arrived({.ray = end->ray,
                              .hit = end->hit,
                              .throughput = path.throughput,
                              .transmittance = end->left,
                              .is_flight = true,
                              .events_below = end->events});
-  const SurfacePoint point = arrive_at(end->hit, draws.at_end(), path);
+  const bool is_back = end->hit.is_miss();
   const auto emerged =
-      Interaction::emerging(bsdfs_, point, material, normalize(path.ray.direction), path.viewing);
+      Interaction::emerging(bsdfs_, is_back ? in : arrive_at(end->hit, draws.at_end(), path), material,
+                            is_back ? from.wo() : normalize(path.ray.direction), path.viewing);
   tracer.observer().stands_at(emerged, path.viewing.materials);
   return emerged;
 }

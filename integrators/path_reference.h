@@ -72,6 +72,8 @@ class PathReference final : public Integrator {
                      const RecordSpans& record) const;
   /// Where a path has come to.
   Interaction arrive(const End& end, const VertexSampler& sampler, State& path) const;
+  /// Whether some of the light there goes below the surface.
+  bool goes_below(const Interaction& at) const;
   /// Where a path comes out that goes below the surface there; none where it does not.
   std::optional<Interaction> emerge(const Interaction& from, const WalkDraws& draws, Tracer& tracer,
                                     State& path) const;

@@ -7,7 +7,9 @@
 #include "core/phase_function.h"
 #include "core/spawn_ray.h"
 #include "core/surface.h"
+#include "core/surface_model.h"
 #include "integrators/flight.h"
+#include "integrators/interaction.h"
 
 namespace twinray {
 namespace {
@@ -23,34 +25,58 @@ bool survives(const VertexSampler& draws, Rgb& left) {
   return true;
 }
 
+/// Goes through a surface within the body.
+void pass(const Scene& scene, const SurfacePoint& point, WalkEnd& walk) {
+  const Vec3 back = -walk.ray.direction;
+  const Material& material = scene.materials[material_at(scene, point)];
+  if (lets_light_in(material)) {
+    const float ior = ior_of(material.model);
+    const float eta = side_of(point, back) == Side::outside ? ior : 1 / ior;
+    walk.eta_squared *= eta * eta;
+    walk.left = walk.left / (eta * eta);
+  }
+  walk.interiors = Interaction::interiors_behind(scene, point, back, walk.interiors);
+  walk.ray = spawn_ray(point, walk.ray.direction);
+}
+
 }  // namespace
 
 std::optional<WalkEnd> walk_below(const Scene& scene, Tracer& tracer, const Interior& medium,
-                                  std::uint32_t body, const Ray& into, const Rgb& throughput,
+                                  std::uint32_t body, const WalkStart& start, const Rgb& throughput,
                                   const WalkDraws& draws) {
   const PhaseFunction phase(medium.anisotropy);
-  WalkEnd end{.ray = into, .left = {1, 1, 1}};
-  for (std::uint32_t step = 0; step < WalkDraws::most_events; ++step) {
+  WalkEnd walk{.ray = start.into, .left = {1, 1, 1}, .interiors = start.interiors};
+  float before = start.way;
+  for (std::uint32_t step = 0; step < WalkDraws::most_steps; ++step) {
     const VertexSampler sampler = draws.at(step);
-    end.hit = tracer.bounce_hit(end.ray);
-    Flight flight(throughput * end.left, sampler.draw_1d(Purpose::medium));
-    const bool is_scattered = flight.ends_within(medium, MediumColumn(scene, medium, end.ray, end.hit.t));
-    end.left = end.left * flight.weight();
-    if (is_black(throughput * end.left)) return std::nullopt;
-    const Vec3& direction = end.ray.direction;
+    walk.hit = tracer.bounce_hit(walk.ray);
+    Flight flight(throughput * walk.left, sampler.draw_1d(Purpose::medium));
+    const Ray whole{.direction = walk.ray.direction};
+    const bool is_scattered =
+        flight.ends_within(medium, MediumColumn(scene, medium, whole, before + walk.hit.t));
+    walk.left = walk.left * flight.weight();
+    if (is_black(throughput * walk.left)) return std::nullopt;
     if (is_scattered) {
-      ++end.events;
+      ++walk.events;
+      const Vec3& direction = walk.ray.direction;
+      const Vec3 position = walk.ray.origin + direction * std::max(flight.distance() - before, 0.0f);
       const Vec3 wi = Frame(-direction).to_world(phase.sample(sampler.draw_2d(Purpose::direction)));
-      end.ray = {.origin = end.ray.origin + direction * flight.distance(), .direction = wi};
+      walk.ray = {.origin = position, .direction = wi};
+      before = 0;
     } else {
-      if (end.hit.is_miss()) return std::nullopt;
-      const SurfacePoint point = surface_at(*scene.geometry, end.hit);
-      if (scene.bindings[point.shape].material == body) return end;
-      end.ray = spawn_ray(point, direction);
+      if (walk.hit.is_miss()) return std::nullopt;
+      const SurfacePoint point = surface_at(*scene.geometry, walk.hit);
+      if (scene.bindings[point.shape].material == body) return walk;
+      pass(scene, point, walk);
+      before = 0;
     }
-    if (step >= first_roulette && !survives(sampler, end.left)) return std::nullopt;
+    if (step >= first_roulette && !survives(sampler, walk.left)) return std::nullopt;
   }
-  return std::nullopt;
+  walk.hit = Hit{};
+  walk.interiors = start.interiors;
+  walk.left = walk.left * walk.eta_squared;
+  walk.eta_squared = 1;
+  return walk;
 }
 
 }  // namespace twinray

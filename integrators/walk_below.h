@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/interiors.h"
 #include "core/sampler.h"
 #include "core/scene.h"
 #include "integrators/tracer.h"
@@ -13,17 +14,17 @@ namespace twinray {
 /// The draws of a walk below one vertex of a path, and those at its end: of vertices that no path has itself.
 class WalkDraws {
  public:
-  /// Walks longer than that end where they are.
-  static constexpr std::uint32_t most_events = 1 << 14;
+  /// A walk of so many steps comes out where it went in.
+  static constexpr std::uint32_t most_steps = 1 << 12;
 
   /// Below this vertex, as VertexSampler counts them.
   WalkDraws(SamplerKind kind, const PathKey& path, std::uint32_t vertex)
-      : kind_(kind), path_(path), first_((vertex + 1) * (2 * most_events)) {}
+      : kind_(kind), path_(path), first_((vertex + 1) * (2 * most_steps)) {}
 
-  /// Of an event, less than most_events.
-  VertexSampler at(std::uint32_t event) const { return {kind_, path_, first_ + 1 + event}; }
+  /// Of a step, less than most_steps.
+  VertexSampler at(std::uint32_t step) const { return {kind_, path_, first_ + 1 + step}; }
   /// Where the walk comes out.
-  VertexSampler at_end() const { return {kind_, path_, first_ + most_events + 1}; }
+  VertexSampler at_end() const { return {kind_, path_, first_ + most_steps + 1}; }
 
  private:
   SamplerKind kind_;
@@ -31,19 +32,33 @@ class WalkDraws {
   std::uint32_t first_;
 };
 
+/// Where a walk begins.
+struct WalkStart {
+  Ray into;
+  float way = 0;  ///< From the surface to the ray's origin, which is moved off it.
+  Interiors interiors = {};
+};
+
 /// Where a walk has come out.
 struct WalkEnd {
   Ray ray;                   ///< The last one, from inside,
-  Hit hit;                   ///< and what it hits.
+  Hit hit;                   ///< and what it hits; a miss where the walk comes out where it went in.
   Rgb left;                  ///< Of the path's throughput.
+  Interiors interiors;       ///< That the path is in.
+  float eta_squared = 1;     ///< Of its index of refraction, to that where the walk went in.
   std::uint32_t events = 0;  ///< How often it was scattered.
 };
 
+/// The least radius of a walk: that many times the offset by which rays leave the surface there. What goes no
+/// further below is reflected where it is, else rounding would decide where a walk comes out.
+inline constexpr float least_radius = 64;
+
 /// Follows a ray into the body of a shape, whose medium is even, until it hits a surface of the body's
-/// material again; other surfaces within are passed. None where it does not come out: it is absorbed, or the
-/// body is not closed. `body` is an index into the scene's materials, as the shape has it.
+/// material again. Other surfaces within are passed straight on: what lies behind those that let light in is
+/// around the body where the walk comes out there. None where it is absorbed. `body` is an index into the
+/// scene's materials, as the shape has it.
 std::optional<WalkEnd> walk_below(const Scene& scene, Tracer& tracer, const Interior& medium,
-                                  std::uint32_t body, const Ray& into, const Rgb& throughput,
+                                  std::uint32_t body, const WalkStart& start, const Rgb& throughput,
                                   const WalkDraws& draws);
 
 }  // namespace twinray

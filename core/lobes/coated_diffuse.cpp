@@ -18,11 +18,16 @@ Rgb CoatedDiffuseLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   return base_ * (coat_.transmittance(wo) * coat_.transmittance(wi) / pi);
 }
 
-MatteBase CoatedDiffuseLobe::matte_base(const Vec3& wo) const {
+BelowSurface CoatedDiffuseLobe::below(const Vec3& wo) const {
   if (!(wo.z > 0)) return {};
   const float reflectance = coat_.reflectance(wo), probability = coat_probability(reflectance);
   const float out = 1 - coat_.average_reflectance();
   return {probability, 1 - probability, base_ * ((1 - reflectance) * out), reflectance_};
+}
+
+Rgb CoatedDiffuseLobe::from_below(const Vec3& wi) const {
+  if (!(wi.z > 0)) return {};
+  return white * (coat_.transmittance(wi) / ((1 - coat_.average_reflectance()) * pi));
 }
 
 float CoatedDiffuseLobe::coat_probability(float reflectance) const {

@@ -25,8 +25,9 @@ class CoatedDiffuseLobe {
   /// What of it comes from the base.
   Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
-  MatteBase matte_base(const Vec3& wo) const;
-  Rgb of_matte_base(const Vec3& wo, const Vec3& wi) const { return diffuse(wo, wi); }
+  BelowSurface below(const Vec3& wo) const;
+  Rgb of_below(const Vec3& wo, const Vec3& wi) const { return diffuse(wo, wi); }
+  Rgb from_below(const Vec3& wi) const;
 
  private:
   /// The probability of sampling the coat's reflection.

@@ -70,6 +70,12 @@ Rgb average_over_directions(const F& f) {
   return sum / parts;
 }
 
+/// Channel by channel; of nothing it is nothing.
+Rgb part_of(const Rgb& part, const Rgb& whole) {
+  const auto channel = [](float p, float w) { return w > 0 ? p / w : 0; };
+  return {channel(part.r, whole.r), channel(part.g, whole.g), channel(part.b, whole.b)};
+}
+
 std::variant<RoughDielectricLobe, ThinDielectricLobe> boundary_of(const Principled& m, const Ggx& facets,
                                                                   bool is_inside) {
   const Rgb tint = m.transmission_depth > 0 ? white : m.transmission_color;
@@ -120,8 +126,11 @@ PrincipledLobe::PrincipledLobe(const Principled& m, bool is_inside)
       metal_average_(metal_fresnel_.average()),
       gloss_(gloss_ior(m, is_inside), facets_),
       gloss_average_(white * gloss_.average_reflectance()),
-      reflectance_(m.base_color * m.base_weight),
+      subsurface_weight_(m.subsurface_weight),
+      subsurface_color_(m.subsurface_color),
+      reflectance_(mix(m.base_color * m.base_weight, m.subsurface_color, m.subsurface_weight)),
       diffuse_(gloss_.diffuse_below(reflectance_)),
+      subsurface_(part_of(m.subsurface_color * m.subsurface_weight, reflectance_)),
       rough_(white, m.base_diffuse_roughness) {
   if (clear_ > 0) boundary_ = boundary_of(m, facets_, is_inside);
   if (!is_inside) set_film(m);
@@ -156,7 +165,7 @@ void PrincipledLobe::set_film(const Principled& m) {
       [&](float cosine) { return white - through_gloss(cosine, gloss_.reflectance(cosine)); });
   // As Coat::diffuse_below, of a boundary that lets so much through in each channel, both ways.
   const float squared_ior = gloss_.ior() * gloss_.ior();
-  const Rgb color = m.base_color * m.base_weight;
+  const Rgb& color = reflectance_;
   const auto channel = [&](float r, float reflected) {
     const float kept = (1 - r) * squared_ior + r * (1 - reflected);
     return kept > 0 ? r / kept : 0;
@@ -223,8 +232,7 @@ BsdfValue PrincipledLobe::evaluate_opaque(const Seen& from, const Vec3& wi, cons
   if (opaque_ > 0) {
     const Rgb gloss = specular_color_ * (gloss_reflectance(facets.cosine) * facets.value);
     const Rgb through = from.through_gloss * through_gloss(wi);
-    const Rgb matte = diffuse_ * rough_.evaluate(wo, wi).value * through;
-    all.value += (gloss * of_facets + matte * of_diffuse) * opaque_;
+    all.value += (gloss * of_facets + matte(wo, wi) * through * of_diffuse) * opaque_;
   }
   return all;
 }
@@ -266,27 +274,36 @@ BsdfValue PrincipledLobe::evaluate(const Seen& from, const Vec3& wi) const {
   return all;
 }
 
-Rgb PrincipledLobe::of_matte_base(const Vec3& wo, const Vec3& wi) const {
+Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   return from(wo, [&](const Seen& seen) {
-    const Rgb through = through_gloss(wi) * seen.through_gloss * through_layers(seen.past, past(wi.z), 1);
-    return diffuse_ * rough_.evaluate(wo, wi).value * (through * opaque_);
+    const Rgb base = matte(wo, wi) * through_all(seen, wi);
+    return fuzz_ ? base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi)) : base;
   });
 }
 
-Rgb PrincipledLobe::diffuse(const Vec3& wo, const Vec3& wi) const {
-  const Rgb base = of_matte_base(wo, wi);
-  if (!fuzz_ || !(wo.z > 0 && wi.z > 0)) return base;
-  return base + fuzz_color_ * (fuzz_weight_ * fuzz_->evaluate(wo, wi));
-}
-
-MatteBase PrincipledLobe::matte_base(const Vec3& wo) const {
+BelowSurface PrincipledLobe::below(const Vec3& wo) const {
   if (!(wo.z > 0)) return {};
-  return from(wo, [&](const Seen& seen) -> MatteBase {
+  return from(wo, [&](const Seen& seen) -> BelowSurface {
+    // In the mean about all directions, through_layers() leaves what passes along wo.
     const Rgb through =
-        seen.through_gloss * (white - gloss_average_) * through_layers(seen.past, through_, 1);
-    return {seen.choice.fuzz, seen.choice.diffuse, diffuse_ * through * opaque_, reflectance_};
+        seen.through_gloss * (white - gloss_average_) * through_layers(seen.past, through_, 1) * opaque_;
+    return {seen.choice.fuzz, seen.choice.diffuse * subsurface_weight_, diffuse_ * subsurface_ * through,
+            subsurface_color_};
   });
+}
+
+Rgb PrincipledLobe::of_below(const Vec3& wo, const Vec3& wi) const {
+  if (!(wo.z > 0 && wi.z > 0)) return {};
+  return from(wo,
+              [&](const Seen& seen) { return diffuse_ * subsurface_ * through_all(seen, wi) * (1 / pi); });
+}
+
+Rgb PrincipledLobe::from_below(const Vec3& wi) const {
+  if (!(wi.z > 0)) return {};
+  const Layers out = past(wi.z);
+  const float layers = out.coat * out.fuzz / (through_.coat * through_.fuzz);
+  return part_of(through_gloss(wi), white - gloss_average_) * (layers / pi);
 }
 
 PrincipledLobe::Seen PrincipledLobe::seen(const Vec3& wo) const {

@@ -42,8 +42,9 @@ class PrincipledLobe {
   /// What of it comes from the opaque base below the gloss, and from the fuzz.
   Rgb diffuse(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;
-  MatteBase matte_base(const Vec3& wo) const;
-  Rgb of_matte_base(const Vec3& wo, const Vec3& wi) const;
+  BelowSurface below(const Vec3& wo) const;
+  Rgb of_below(const Vec3& wo, const Vec3& wi) const;
+  Rgb from_below(const Vec3& wi) const;
 
  private:
   /// What coat and fuzz let through; all of the light where they are not there.
@@ -76,6 +77,15 @@ class PrincipledLobe {
   /// What facets of metal and of gloss reflect; the latter without its colour.
   Rgb metal_reflectance(float cosine) const;
   Rgb gloss_reflectance(float cosine) const;
+  /// What the diffuse base reflects, over all that goes in and out of it; the subsurface's part is Lambert's.
+  Rgb matte(const Vec3& wo, const Vec3& wi) const {
+    const Rgb rough = (white - subsurface_) * rough_.evaluate(wo, wi).value;
+    return diffuse_ * (rough + subsurface_ * (1 / pi));
+  }
+  /// What of light to the base and from it passes gloss and layers.
+  Rgb through_all(const Seen& seen, const Vec3& wi) const {
+    return through_gloss(wi) * seen.through_gloss * through_layers(seen.past, past(wi.z), 1) * opaque_;
+  }
   /// What the gloss lets through along a direction.
   Rgb through_gloss(const Vec3& w) const { return through_gloss(w.z, gloss_.reflectance(w)); }
   /// The same, where the gloss reflects so much without a film.
@@ -104,10 +114,13 @@ class PrincipledLobe {
   Rgb metal_average_;                ///< What metal facets reflect of light from all directions.
   Rgb metal_multiple_;               ///< A factor of what meets several facets.
   Coat gloss_;
-  Rgb gloss_average_;       ///< What the gloss reflects of light from all directions.
-  Rgb reflectance_;         ///< Of what is diffuse,
+  Rgb gloss_average_;  ///< What the gloss reflects of light from all directions.
+  float subsurface_weight_;
+  Rgb subsurface_color_;
+  Rgb reflectance_;         ///< Of all that is diffuse,
   Rgb diffuse_;             ///< and the radiosity below the gloss, Coat::diffuse_below.
-  RoughDiffuseLobe rough_;  ///< The shape of what is scattered there, white.
+  Rgb subsurface_;          ///< The part of it that is the subsurface's,
+  RoughDiffuseLobe rough_;  ///< and the shape of the rest, white.
   // Where their weights are not 0:
   std::optional<std::variant<RoughDielectricLobe, ThinDielectricLobe>> boundary_;
   std::optional<Coat> coat_;

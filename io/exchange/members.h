@@ -202,6 +202,8 @@ void members(const Visit& visit, Principled& m) {
   visit("base_color", m.base_color, Valid::part);
   visit("base_diffuse_roughness", m.base_diffuse_roughness, Valid::part);
   visit("base_metalness", m.base_metalness, Valid::part);
+  visit.later("subsurface_weight", m.subsurface_weight, Valid::part);
+  visit.later("subsurface_color", m.subsurface_color, Valid::part);
   visit("specular_weight", m.specular_weight, Valid::part);
   visit("specular_color", m.specular_color, Valid::part);
   visit("specular_roughness", m.specular_roughness, Valid::part);
@@ -247,7 +249,6 @@ template <typename Visit>
 void members(const Visit& visit, Subsurface& subsurface) {
   visit("radius", subsurface.radius, Valid::positive);
   visit("anisotropy", subsurface.anisotropy, Valid::anisotropy);
-  visit("weight", subsurface.weight, Valid::part);
 }
 
 template <typename Visit>

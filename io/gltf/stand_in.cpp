@@ -39,7 +39,6 @@ class StandIn {
     model_.coat_darkening = 0;
     std::visit([&](const auto& model) { take(model); }, material_.model);
     made_.material.model = model_;
-    if (has_subsurface(material_)) lose("light below the surface");
     for (const TextureUse& use : material_.textures)
       if (use.meaning == InputMeaning::squared_roughness) made_.roughness_power = 0.25f;
     return std::move(made_);
@@ -276,7 +275,11 @@ std::uint32_t unmixed(const Scene& scene, std::uint32_t material, Losses& losses
 }  // namespace
 
 GltfStandIn gltf_stand_in(const Scene& scene, std::uint32_t material, Losses& losses) {
-  const PlainMaterial plain = without_spared_metal(scene, scene.materials[unmixed(scene, material, losses)]);
+  const Material& own = scene.materials[unmixed(scene, material, losses)];
+  if (has_subsurface(own))
+    losses.add("light below the surface of a material is left out",
+               "light below the surfaces of {} materials is left out");
+  const PlainMaterial plain = without_spared_metal(scene, with_one_base(own));
   return StandIn(plain, losses).make();
 }
 

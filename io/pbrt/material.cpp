@@ -114,6 +114,7 @@ constexpr PrincipledWeight principled_weights[] = {
     {"base_weight", &Principled::base_weight},
     {"base_diffuse_roughness", &Principled::base_diffuse_roughness},
     {"base_metalness", &Principled::base_metalness},
+    {"subsurface_weight", &Principled::subsurface_weight},
     {"specular_weight", &Principled::specular_weight},
     {"specular_roughness", &Principled::specular_roughness},
     {"specular_roughness_anisotropy", &Principled::specular_roughness_anisotropy},
@@ -133,12 +134,11 @@ struct PrincipledColor {
   const char* name;
   Rgb Principled::*member;
 };
-constexpr PrincipledColor principled_colors[] = {{"base_color", &Principled::base_color},
-                                                 {"specular_color", &Principled::specular_color},
-                                                 {"transmission_color", &Principled::transmission_color},
-                                                 {"coat_color", &Principled::coat_color},
-                                                 {"fuzz_color", &Principled::fuzz_color},
-                                                 {"emission_color", &Principled::emission_color}};
+constexpr PrincipledColor principled_colors[] = {
+    {"base_color", &Principled::base_color},         {"subsurface_color", &Principled::subsurface_color},
+    {"specular_color", &Principled::specular_color}, {"transmission_color", &Principled::transmission_color},
+    {"coat_color", &Principled::coat_color},         {"fuzz_color", &Principled::fuzz_color},
+    {"emission_color", &Principled::emission_color}};
 
 /// OpenPBR's surface: not one of pbrt's materials.
 SurfaceModel read_principled(const PbrtMaterialInputs& in) {
@@ -300,8 +300,8 @@ void PbrtMaterials::make(std::uint32_t index, const std::string& type, const Pbr
     materials[index].model = read_subsurface(in, materials[index].subsurface);
   else
     materials[index].model = read_model(type, in);
-  if (auto* const principled = std::get_if<Principled>(&materials[index].model))
-    read_principled_subsurface(in, *principled, materials[index].subsurface);
+  if (const auto* const principled = std::get_if<Principled>(&materials[index].model))
+    materials[index].subsurface = read_principled_subsurface(in, *principled);
   materials[index].textures = std::move(uses);
   if (lets_light_in(materials[index])) {
     if (const auto* model = std::get_if<Principled>(&materials[index].model))

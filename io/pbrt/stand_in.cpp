@@ -30,14 +30,15 @@ Roughness alpha_of(float roughness, float anisotropy) {
 
 class StandIn {
  public:
-  StandIn(const Material& material, Losses& losses) : material_(material), losses_(losses) {}
+  StandIn(const Material& material, Losses& losses)
+      : material_(with_one_base(material)), has_subsurface_(has_subsurface(material)), losses_(losses) {}
 
   PbrtStandIn make() {
     made_.material = material_;
     std::visit([&](const auto& model) { made_.material.model = of(model); }, material_.model);
     Subsurface& below = made_.material.subsurface;
-    const bool is_shown = std::holds_alternative<CoatedDiffuse>(made_.material.model) && below.weight > 0.5f;
-    if (has_subsurface(material_) && !is_shown) lose("light below the surface"), below = {};
+    if (!std::holds_alternative<CoatedDiffuse>(made_.material.model)) below = {};
+    if (has_subsurface_ && is_black(below.radius)) lose("light below the surface");
     if (has_tangent(made_.material)) lose("the direction of the facets");
     return std::move(made_);
   }
@@ -151,7 +152,8 @@ class StandIn {
       if (use.input == MaterialInput::coat_roughness) use.input = MaterialInput::roughness;
   }
 
-  const Material& material_;
+  const Material material_;
+  const bool has_subsurface_;
   Losses& losses_;
   PbrtStandIn made_;
 };

@@ -12,11 +12,12 @@
 namespace twinray {
 namespace {
 
-constexpr float least_radius = 1e-30f, most_radius = 1e30f;
-
+/// None where no light goes any way below; else a thousandth of the longest way, at least.
 Rgb radius_in_range(const Rgb& radius) {
-  const auto channel = [](float r) { return std::clamp(r, least_radius, most_radius); };
-  return {channel(radius.r), channel(radius.g), channel(radius.b)};
+  constexpr float most = 1e30f, least_part = 1e-3f;
+  const float longest = std::min(max_component(radius), most);
+  const auto channel = [&](float r) { return std::clamp(r, longest * least_part, most); };
+  return longest > 1 / most ? Rgb{channel(radius.r), channel(radius.g), channel(radius.b)} : Rgb{};
 }
 
 float anisotropy(const PbrtMaterialInputs& in, const char* name) {
@@ -45,10 +46,6 @@ const MeasuredMedium& measured(const PbrtMaterialInputs& in, const std::string& 
   in.parameters.find("name")->place.fail(
       fmt::format("there is no measured medium \"{}\"{}", name,
                   nearest.empty() ? "" : fmt::format("; \"{}\" is the nearest name", nearest)));
-}
-
-bool is_of_base(const TextureUse& use) {
-  return use.input == MaterialInput::reflectance || use.input == MaterialInput::base_weight;
 }
 
 /// Two inputs that say the same thing in two ways.
@@ -91,35 +88,19 @@ SurfaceModel read_subsurface(const PbrtMaterialInputs& in, Subsurface& below) {
   return model;
 }
 
-void read_principled_subsurface(const PbrtMaterialInputs& in, Principled& model, Subsurface& below) {
-  for (const char* known :
-       {"subsurface_color", "subsurface_radius", "subsurface_radius_scale", "subsurface_scatter_anisotropy"})
-    in.parameters.find(known);
-  const float weight = in.number("subsurface_weight", 0);
-  if (!(weight >= 0 && weight <= 1))
-    in.parameters.find("subsurface_weight")
-        ->place.fail(fmt::format("\"subsurface_weight\" is {:g}; it lies in [0, 1]", weight));
-  if (weight == 0) return;
-  if (model.geometry_thin_walled) {
-    in.parameters.find("subsurface_weight")
-        ->place.warn(in.context.warnings,
-                     "light below a sheet is not rendered; a diffuse surface stands for it");
-    return;
-  }
-  const Rgb own = model.base_color * model.base_weight, pale{0.8f, 0.8f, 0.8f};
-  const bool has_own_texture = std::erase_if(in.uses, is_of_base) > 0;
-  if (has_own_texture && weight < 1)
-    in.parameters.place().warn(
-        in.context.warnings,
-        "where some light goes below the surface, the mean of the base's texture stands for it");
-  const Rgb color = weight == 1
-                        ? in.color("subsurface_color", pale, MaterialInput::reflectance, InputMeaning::value)
-                        : in.color("subsurface_color", pale);
-  model.base_color = own + (color - own) * weight;
-  model.base_weight = 1;
+Subsurface read_principled_subsurface(const PbrtMaterialInputs& in, const Principled& model) {
   const float radius = in.parameters.real("subsurface_radius", 1, {0, 1e9});
-  const Rgb scale = in.color("subsurface_radius_scale", {1, 0.5f, 0.25f});
-  below = {radius_in_range(scale * radius), anisotropy(in, "subsurface_scatter_anisotropy"), weight};
+  const Rgb scale = in.color("subsurface_radius_scale", {1, 0.5f, 0.25f}, ColorRole::unbounded);
+  const float g = anisotropy(in, "subsurface_scatter_anisotropy");
+  const bool has_texture = std::any_of(in.uses.begin(), in.uses.end(), [](const TextureUse& use) {
+    return use.input == MaterialInput::subsurface_weight;
+  });
+  if (model.subsurface_weight == 0 && !has_texture) return {};
+  if (!model.geometry_thin_walled) return {radius_in_range(scale * radius), g};
+  in.parameters.find("subsurface_weight")
+      ->place.warn(in.context.warnings,
+                   "light below a sheet is not rendered; a diffuse surface stands for it");
+  return {};
 }
 
 }  // namespace twinray

@@ -9,7 +9,7 @@ namespace twinray {
 /// by the name of a measured one, or by how much of the light that has entered comes out again.
 SurfaceModel read_subsurface(const PbrtMaterialInputs& in, Subsurface& below);
 
-/// What OpenPBR's surface has below it, and what its base reflects then.
-void read_principled_subsurface(const PbrtMaterialInputs& in, Principled& model, Subsurface& below);
+/// What OpenPBR's surface has below it.
+Subsurface read_principled_subsurface(const PbrtMaterialInputs& in, const Principled& model);
 
 }  // namespace twinray

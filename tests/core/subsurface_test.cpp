@@ -15,18 +15,28 @@ namespace {
 
 constexpr Rgb skin{0.8f, 0.5f, 0.2f};
 
+/// A white base of which all light that is diffuse goes below.
+Principled principled(float specular_roughness) {
+  return {.subsurface_weight = 1, .subsurface_color = skin, .specular_roughness = specular_roughness};
+}
+
 std::vector<SurfaceModel> models_with_a_base() {
-  Principled layered{.base_color = skin, .base_diffuse_roughness = 0.4f, .specular_roughness = 0.4f};
+  Principled layered = principled(0.4f);
+  layered.base_diffuse_roughness = 0.4f;
   layered.coat_weight = 0.7f, layered.coat_roughness = 0.2f;
   layered.fuzz_weight = 0.4f;
-  Principled mixed{.base_color = skin, .base_metalness = 0.4f, .transmission_weight = 0.3f};
+  Principled mixed = principled(0.3f);
+  mixed.base_metalness = 0.4f, mixed.transmission_weight = 0.3f;
   mixed.thin_film_weight = 1;
+  Principled part = principled(0.3f);
+  part.subsurface_weight = 0.4f;
   return {CoatedDiffuse{skin, {}, 1.5f},
           CoatedDiffuse{skin, {0.3f, 0.3f}, 1.33f},
           CoatedDiffuse{skin, {}, 1},
-          Principled{.base_color = skin},
+          principled(0.3f),
           layered,
-          mixed};
+          mixed,
+          part};
 }
 
 }  // namespace
@@ -66,7 +76,7 @@ TEST_CASE("of light that has entered a coat, so much comes out as was asked for"
       filled.reflectance = base;
       const CoatedDiffuseLobe lobe = *Bsdf(filled).as<CoatedDiffuseLobe>();
       const Vec3 wo = direction_at(0.7f);
-      CHECK(lobe.matte_base(wo).albedo.g == Approx(0.3f * lobe.coat().transmittance(wo)).epsilon(1e-5));
+      CHECK(lobe.below(wo).albedo.g == Approx(0.3f * lobe.coat().transmittance(wo)).epsilon(1e-5));
     }
 }
 
@@ -77,12 +87,12 @@ TEST_CASE("a matte base has the albedo of its own part of the scattering functio
       CAPTURE(model.index(), cosine);
       const Vec3 wo = direction_at(cosine);
       bsdf.look_from(wo);
-      const MatteBase base = bsdf.matte_base(wo);
+      const BelowSurface base = bsdf.below(wo);
       CHECK(base.reflectance == skin);
       double r = 0, g = 0;
       bool is_part = true;
       SphereGrid::visit(8, [&](const Vec3& wi, double area, std::size_t) {
-        const Rgb value = bsdf.of_matte_base(wo, wi), all = bsdf.evaluate(wo, wi).value;
+        const Rgb value = bsdf.of_below(wo, wi), all = bsdf.evaluate(wo, wi).value;
         is_part = is_part && value.g <= all.g * (1 + 1e-5f);
         r += double(value.r * std::fabs(wi.z)) * area, g += double(value.g * std::fabs(wi.z)) * area;
       });
@@ -92,8 +102,9 @@ TEST_CASE("a matte base has the albedo of its own part of the scattering functio
       CHECK(g == Approx(base.albedo.g).epsilon(0.03));
     }
   }
-  CHECK(Bsdf(Lambert{}).matte_base({0, 0, 1}).probability == 0);
-  CHECK(is_black(Bsdf(Lambert{}).of_matte_base({0, 0, 1}, {0, 0, 1})));
+  CHECK(Bsdf(Lambert{}).below({0, 0, 1}).probability == 0);
+  CHECK(is_black(Bsdf(Lambert{}).of_below({0, 0, 1}, {0, 0, 1})));
+  CHECK(is_black(Bsdf(Lambert{}).from_below({0, 0, 1})));
 }
 
 TEST_CASE("a draw takes a direction from the matte base where the base says so, and a cosine's density") {
@@ -102,7 +113,7 @@ TEST_CASE("a draw takes a direction from the matte base where the base says so, 
     Bsdf bsdf(model);
     const Vec3 wo = direction_at(0.6f);
     bsdf.look_from(wo);
-    const MatteBase base = bsdf.matte_base(wo);
+    const BelowSurface base = bsdf.below(wo);
     CHECK(base.probability > 0.1f);
     const Vec2 u{0.3f, 0.7f};
     const Vec3 matte = bsdf.sample(wo, base.first + 0.5f * base.probability, u).wi;
@@ -114,6 +125,49 @@ TEST_CASE("a draw takes a direction from the matte base where the base says so, 
       CHECK((before.wi != matte || before.is_diffuse));
     }
   }
+}
+
+TEST_CASE("all light from below leaves the surface, whatever its base reflects") {
+  for (SurfaceModel model : models_with_a_base()) {
+    CAPTURE(model.index());
+    const auto leaving = [&] {
+      const Bsdf bsdf(model);
+      double sum = 0;
+      SphereGrid::visit(8, [&](const Vec3& wi, double area, std::size_t) {
+        sum += double(bsdf.from_below(wi).g * std::fabs(wi.z)) * area;
+      });
+      return sum;
+    };
+    const double all = leaving();
+    CHECK(all == Approx(1).epsilon(0.03));
+    if (auto* const coated = std::get_if<CoatedDiffuse>(&model)) coated->reflectance = {};
+    if (auto* const layered = std::get_if<Principled>(&model)) layered->subsurface_color = {};
+    CHECK(leaving() == all);
+  }
+}
+
+TEST_CASE("what goes below is the subsurface's part of the base, and no metal") {
+  Principled model = principled(0.3f);
+  model.base_color = {0.1f, 0.1f, 0.9f};
+  const Vec3 wo = direction_at(0.6f), wi = direction_at(0.3f);
+  const auto value = [&] { return Bsdf(model).evaluate(wo, wi).value; };
+  const auto of_below = [&] { return Bsdf(model).of_below(wo, wi); };
+  // Alone, it is the base of that colour.
+  Principled diffuse{.base_color = skin};
+  CHECK(value().r == Approx(Bsdf(diffuse).evaluate(wo, wi).value.r));
+  CHECK(of_below().b == Approx(Bsdf(diffuse).diffuse(wo, wi).b));
+  model.subsurface_weight = 0;
+  CHECK(is_black(of_below()));
+  CHECK(Bsdf(model).below(wo).probability == 0);
+  model.base_metalness = 1, model.subsurface_weight = 1;
+  CHECK(is_black(of_below()));
+  const Rgb metal = value();
+  model.subsurface_weight = 0;
+  CHECK(value() == metal);
+  // Its shape is Lambert's, however rough the rest is.
+  Principled rough = principled(0.3f);
+  rough.base_diffuse_roughness = 1;
+  CHECK(Bsdf(rough).evaluate(wo, wi).value == Bsdf(principled(0.3f)).evaluate(wo, wi).value);
 }
 
 TEST_CASE("a subsurface that is out of range, or has no base above it, is refused") {
@@ -128,7 +182,6 @@ TEST_CASE("a subsurface that is out of range, or has no base above it, is refuse
   CHECK(complaint({{1, INFINITY, 1}}).find("each must be finite") != std::string::npos);
   CHECK(complaint({{1, 1, 1}, 0.995f}) ==
         "material 0 has a subsurface of the anisotropy 0.995; valid are -0.99 to 0.99");
-  CHECK(complaint({{1, 1, 1}, 0, 1.5f}) == "material 0 has a subsurface of the weight 1.5; valid are 0 to 1");
   scene.materials.back().model = Lambert{};
   CHECK(complaint({{1, 1, 1}}) == "material 0 has a subsurface, and its model has no base above it");
   scene.materials.back().model = Principled{.geometry_thin_walled = true};

@@ -235,11 +235,13 @@ TEST_CASE("each input of OpenPBR's surface may be a texture's, and is the member
   };
   int inputs = 0;
   for (int i = 0; i < material_inputs; ++i) inputs += has_input(Principled{}, MaterialInput(i));
-  CHECK(inputs == 19);
+  CHECK(inputs == 21);
   CHECK(with(MaterialInput::base_metalness).base_metalness == 0.125f);
   CHECK(with(MaterialInput::roughness).specular_roughness == 0.125f);
   CHECK(with(MaterialInput::coat_roughness).coat_roughness == 0.125f);
   CHECK(with(MaterialInput::fuzz_color).fuzz_color == Rgb{0.125f, 0.5f, 0.75f});
+  CHECK(with(MaterialInput::subsurface_weight).subsurface_weight == 0.125f);
+  CHECK(with(MaterialInput::subsurface_color).subsurface_color == Rgb{0.125f, 0.5f, 0.75f});
   CHECK(with(MaterialInput::specular_color).specular_color == Rgb{0.125f, 0.5f, 0.75f});
   CHECK(with(MaterialInput::specular_color).base_color == Principled{}.base_color);
   CHECK(with(MaterialInput::transmission_weight).transmission_weight == 0.125f);

@@ -17,8 +17,9 @@ namespace {
 
 constexpr Rgb skin{0.8f, 0.5f, 0.2f};
 
-Principled layered() {
-  Principled model{.base_color = skin, .specular_roughness = 0.4f};
+Principled layered(float subsurface_weight) {
+  Principled model{.base_color = skin, .subsurface_weight = subsurface_weight, .subsurface_color = skin};
+  model.specular_roughness = 0.4f;
   model.coat_weight = 0.7f, model.coat_roughness = 0.2f;
   model.fuzz_weight = 0.4f;
   return model;
@@ -47,8 +48,8 @@ Scene scene_of_bodies() {
   };
   add(CoatedDiffuse{skin, {}, 1.33f}, {{0.3f, 0.1f, 0.05f}, 0.5f}, {{0, -0.2f, 0.1f}, 0.5f});
   add(Lambert{}, {}, {{0, -0.2f, 0.2f}, 0.2f});
-  add(CoatedDiffuse{skin, {0.3f, 0.3f}, 1.5f}, {{0.1f, 0.1f, 0.4f}, -0.3f, 0.6f}, {{0.5f, 0.4f, 0}, 0.3f});
-  add(layered(), {{0.05f, 0.1f, 0.2f}}, {{-0.5f, 0.3f, 0.2f}, 0.35f});
+  add(CoatedDiffuse{skin, {0.3f, 0.3f}, 1.5f}, {{0.1f, 0.1f, 0.4f}, -0.3f}, {{0.5f, 0.4f, 0}, 0.3f});
+  add(layered(0.7f), {{0.05f, 0.1f, 0.2f}}, {{-0.5f, 0.3f, 0.2f}, 0.35f});
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
   add_light(scene, PointLight{{0.2f, 0.4f, 0.3f}, {0.3f, 0.2f, 0.1f}, {}});
   check_scene(scene);
@@ -72,16 +73,66 @@ TEST_CASE("a body that absorbs nothing cannot be told from a white sky, by every
 TEST_CASE("where light goes no way below, a body is what its base would be, by lamps and by directions") {
   for (const SurfaceModel& model :
        {SurfaceModel(CoatedDiffuse{skin, {}, 1.5f}), SurfaceModel(CoatedDiffuse{skin, {0.3f, 0.3f}, 1.33f}),
-        SurfaceModel(layered())})
-    for (const float weight : {1.0f, 0.4f})
-      for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights}) {
-        CAPTURE(model.index(), weight, int(method));
-        const PathOptions path{.max_depth = 3, .direct = method};
-        const auto seen = [&](const Subsurface& below) {
-          return estimate(lit_ball(model, below), path, small_picture(4096));
-        };
-        check_same_mean(seen({{0.002f, 0.002f, 0.002f}, 0, weight}), seen({}), 0.05);
-      }
+        SurfaceModel(layered(1)), SurfaceModel(layered(0.4f))})
+    for (const DirectMethod method : {DirectMethod::mis, DirectMethod::lights}) {
+      CAPTURE(model.index(), int(method));
+      const PathOptions path{.max_depth = 3, .direct = method};
+      const auto seen = [&](const Subsurface& below) {
+        return estimate(lit_ball(model, below), path, small_picture(4096));
+      };
+      check_same_mean(seen({{0.002f, 0.002f, 0.002f}}), seen({}), 0.05);
+    }
+}
+
+TEST_CASE("where light goes less far below than rounding, it is reflected where it is") {
+  const CoatedDiffuse model{skin, {}, 1.5f};
+  const auto film = [&](const Subsurface& below) {
+    const Scene scene = lit_ball(model, below);
+    return render_with(scene, PathReference(scene, {.max_depth = 3}), small_picture(64)).film;
+  };
+  const Film bare = film({});
+  CHECK(same_bits(film({{1e-9f, 1e-9f, 1e-9f}}), bare));
+  CHECK_FALSE(same_bits(film({{0.01f, 1e-9f, 1e-9f}}), bare));
+  // And a channel in which it does is as bright as it is without a body.
+  const auto green = [&](const Subsurface& below) {
+    Scene scene = lit_ball(CoatedDiffuse{{0, 0.5f, 0}, {}, 1.5f}, below);
+    return estimate(scene, {.max_depth = 3}, small_picture(4096));
+  };
+  check_same_mean(green({{0.01f, 1e-9f, 1e-9f}}), green({}), 0.05);
+}
+
+TEST_CASE("a path that comes out beyond what covers a body is in what is there") {
+  // A drop of water, and fog, on a part of the ball.
+  const auto seen = [](const SurfaceModel& model, const Interior& interior) {
+    Scene scene = ball_under_sky(CoatedDiffuse{white, {}, 1.33f});
+    scene.materials.back().subsurface = {{0.5f, 0.5f, 0.5f}};
+    std::vector<Shape> shapes = scene.geometry->shapes();
+    const auto& ball = std::get<SphereSet>(shapes[0]).spheres[0];
+    const Vec3 front = ball.center + normalize(scene.camera.position - ball.center) * ball.radius;
+    shapes.push_back(SphereSet{"drop", {{front, 0.3f * ball.radius}}});
+    scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+    scene.materials.push_back({.name = "drop", .model = model, .interior = interior});
+    scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+    scene.camera = camera_at(scene.camera.position, front);
+    scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+    return estimate(scene, {.max_depth = 100, .roulette = {1}}, small_picture(1024));
+  };
+  check_mean(seen(Dielectric{.ior = 1.5f}, {}), 1, 0.2);
+  // What it absorbs of the light that comes back through it, and of nothing else.
+  const double left = seen(Interface{}, {.absorption = {0.1f, 0.1f, 0.1f}}).mean;
+  CHECK(left > 0.8);
+  CHECK(left < 0.99);
+}
+
+TEST_CASE("what is let into a body sees no other body around it from within") {
+  Scene scene = ball_under_sky(CoatedDiffuse{white, {}, 1.5f});
+  scene.materials = {
+      {.name = "body", .model = CoatedDiffuse{white, {}, 1.5f}, .subsurface = {{0.1f, 0.1f, 0.1f}}},
+      {.name = "glass", .model = Dielectric{}},
+      {.name = "mix", .model = Mix{0, 1, 0.5f}}};
+  scene.bindings = {{2}};
+  const PathOptions path{.max_depth = 100, .roulette = {1}};
+  check_mean(estimate(scene, path, small_picture(1024)), 1, 0.2);
 }
 
 TEST_CASE("light comes out of a body where no lamp shines on it") {

@@ -23,11 +23,12 @@ Mesh plate(float thickness, float half) {
 }
 
 struct Walks {
+  int back = 0;                          ///< That come out where they went in.
   double up = 0, down = 0, squares = 0;  ///< What comes out above and below, per walk; the squares of `up`.
 };
 
-/// Of light that enters a body evenly from all sides at the origin; red alone.
-Walks walks_in(const Scene& scene, const Interior& medium, int count) {
+/// Rays begin at some depth. Of light that enters a body evenly from all sides at the origin; red alone.
+Walks walks_in(const Scene& scene, const Interior& medium, int count, float depth = 1e-3f) {
   const auto engine = build_accelerator(default_backend(), scene.geometry);
   Tracer tracer(*engine, false);
   Random random(5);
@@ -35,11 +36,13 @@ Walks walks_in(const Scene& scene, const Interior& medium, int count) {
   for (int i = 0; i < count; ++i) {
     const Vec3 into = -square_to_cosine_hemisphere(in_square(random));
     const WalkDraws draws(SamplerKind::independent, PathKey({.index = std::uint32_t(i)}), 1);
-    const auto end =
-        walk_below(scene, tracer, medium, 0, {.origin = {0, 0, -1e-4f}, .direction = into}, {1, 0, 0}, draws);
+    const WalkStart start{{.origin = {0, 0, -depth}, .direction = into}, depth / -into.z};
+    const auto end = walk_below(scene, tracer, medium, 0, start, {1, 0, 0}, draws);
     if (!end) continue;
-    (end->ray.direction.z > 0 ? walks.up : walks.down) += double(end->left.r) / count;
-    if (end->ray.direction.z > 0) walks.squares += double(end->left.r) * double(end->left.r) / count;
+    const bool is_up = end->hit.is_miss() || end->ray.direction.z > 0;
+    walks.back += end->hit.is_miss();
+    (is_up ? walks.up : walks.down) += double(end->left.r) / count;
+    if (is_up) walks.squares += double(end->left.r) * double(end->left.r) / count;
   }
   return walks;
 }
@@ -133,6 +136,21 @@ TEST_CASE("a walk that leaves a body that is not closed does not come out") {
   const Walks walks = walks_in(scene_with({top}), medium_of(0.9f), 2000);
   CHECK(walks.down == 0);
   CHECK(walks.up > 0.3);
+}
+
+TEST_CASE("a walk that would be too long comes out where it went in") {
+  const Walks walks = walks_in(scene_with({plate(100, 100)}), medium_of(1), 1000);
+  CHECK(walks.back > 0);
+  CHECK(walks.back < 60);
+  CHECK(walks.up + walks.down == Approx(1).epsilon(1e-5));
+}
+
+TEST_CASE("the way from a surface to where its rays begin is part of a walk") {
+  // Nothing is scattered: what comes out below has gone straight through.
+  const Scene scene = scene_with({plate(0.5f, 100)});
+  const Walks near = walks_in(scene, medium_of(0), 20000), deep = walks_in(scene, medium_of(0), 20000, 0.4f);
+  CHECK(near.down > 0.3);
+  CHECK(deep.down == Approx(near.down).margin(0.02));
 }
 
 TEST_CASE("a walk in black is absorbed") {

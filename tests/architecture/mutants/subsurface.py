@@ -6,28 +6,31 @@ INVERSE = "the albedo of one scattering is that of the reflectance that it makes
 MEDIUM = "a medium below has the mean way between scatterings that was asked for"
 EMERGING = "of light that has entered a coat, so much comes out as was asked for"
 BASE = "a matte base has the albedo of its own part of the scattering function"
+LEAVES = "all light from below leaves the surface, whatever its base reflects"
+PART = "what goes below is the subsurface's part of the base, and no metal"
+NONE = "where light goes less far below than rounding, it is reflected where it is"
+BEYOND = "a path that comes out beyond what covers a body is in what is there"
+LET_IN = "what is let into a body sees no other body around it from within"
+LONG = "a walk that would be too long comes out where it went in"
+WAY = "the way from a surface to where its rays begin is part of a walk"
+RADIUS = "a radius of 0 is none, and one that is short in a channel at least a thousandth of the others'"
 DRAWN = "a draw takes a direction from the matte base where the base says so, and a cosine's density"
 REFUSED = "a subsurface that is out of range, or has no base above it, is refused"
 DEEP = "a deep body reflects as much as its albedo was asked for"
 PLATE = "a plate reflects and lets through what a walk along one axis says"
-CLEAR = "what absorbs nothing loses nothing"
 WITHIN = "surfaces of other materials within a body change nothing, and parts of one body are one"
-OPEN = "a walk that leaves a body that is not closed does not come out"
 DRAWS = "draws of a walk are those of no vertex of a path, nor of another walk"
 SAME = "where light goes no way below, a body is what its base would be, by lamps and by directions"
-WHITE = "a body that absorbs nothing cannot be told from a white sky, by every way of finding light"
 BEHIND = "light comes out of a body where no lamp shines on it"
 BOUNCE = "a lit walk through a body counts as one bounce"
-METHODS = "all ways of finding light agree on what comes out of bodies"
 PARTS = "what comes out of a body is diffuse light, and the parts of a picture add up to it"
 REPLAY = "a replayed path names its walks below surfaces, and its terms add up to its radiance"
-FURNACE = "a furnace takes the base for what is below it"
 EMITTED = "pbrt's subsurface by what comes out of it, and by how far light goes"
 COEFFICIENTS = "pbrt's subsurface by what the body absorbs and scatters, by a name, or skin"
 TEXTURE = "a texture of what comes out of a body is that at each point"
 TWO = "a subsurface material that says two things, or half of one, is refused"
-OPENPBR = "OpenPBR's subsurface has the colour of its base, mixed by its weight"
-OWN_TEXTURE = "a texture of OpenPBR's base is not that of what is below it"
+OPENPBR = "OpenPBR's subsurface has its own colour, weight and ways"
+OWN_TEXTURE = "OpenPBR's subsurface may have textures for its colour and its weight"
 WRITTEN = "written pbrt: a body comes back, and what pbrt's cannot be is named"
 TOLD = "a replay says where a path goes below a surface, and where it comes out"
 
@@ -42,12 +45,25 @@ MUTANTS = [
     Mutant("a coated base is seen through no coat", "core/lobes/coated_diffuse.cpp",
            "base_ * ((1 - reflectance) * out)", "base_ * out", "test_core", BASE),
     Mutant("a layered base is seen through no gloss", "core/lobes/principled.cpp",
-           "seen.through_gloss * (white - gloss_average_)", "(white - gloss_average_)", "test_core", BASE),
+           "seen.through_gloss * (white - gloss_average_) *", "(white - gloss_average_) *", "test_core", BASE),
+    Mutant("metal goes below", "core/lobes/principled.cpp",
+           "return diffuse_ * subsurface_ * through_all(seen, wi) * (1 / pi);",
+           "return diffuse_ * subsurface_ * through_all(seen, wi) * (1 / (pi * opaque_));", "test_core", BASE),
+    Mutant("a subsurface is as rough as the rest of the base", "core/lobes/principled.h",
+           "(rough + subsurface_ * (1 / pi))", "(white * rough_.evaluate(wo, wi).value)", "test_core", PART),
+    Mutant("a subsurface has the base's colour", "core/lobes/principled.cpp",
+           "reflectance_(mix(m.base_color * m.base_weight, m.subsurface_color, m.subsurface_weight)),",
+           "reflectance_(m.base_color * m.base_weight),", "test_core", PART),
+    Mutant("what leaves a coat from below is not all", "core/lobes/coated_diffuse.cpp",
+           "/ ((1 - coat_.average_reflectance()) * pi)", "/ pi", "test_core", LEAVES),
+    Mutant("what leaves layers from below is not all", "core/lobes/principled.cpp",
+           "out.coat * out.fuzz / (through_.coat * through_.fuzz)", "out.coat * out.fuzz", "test_core",
+           LEAVES),
     Mutant("a coated base is drawn where the coat is", "core/lobes/coated_diffuse.cpp",
            "return {probability, 1 - probability,", "return {0, 1 - probability,", "test_core", DRAWN),
     Mutant("a layered base is drawn where fuzz is", "core/lobes/principled.cpp",
-           "return {seen.choice.fuzz, seen.choice.diffuse,", "return {0, seen.choice.diffuse,", "test_core",
-           DRAWN),
+           "return {seen.choice.fuzz, seen.choice.diffuse *", "return {0, seen.choice.diffuse *",
+           "test_core", DRAWN),
     Mutant("a sheet may have light below it", "core/material.cpp",
            "(principled && !principled->geometry_thin_walled)", "principled", "test_core", REFUSED),
     Mutant("a walk goes on where it is given up", "integrators/walk_below.cpp",
@@ -55,29 +71,46 @@ MUTANTS = [
     Mutant("a walk keeps its direction", "integrators/walk_below.cpp",
            ".direction = wi};", ".direction = direction};", "test_integrators", PLATE),
     Mutant("a walk's steps begin where it entered", "integrators/walk_below.cpp",
-           "end.ray.origin + direction * flight.distance()", "end.ray.origin", "test_integrators", PLATE),
+           "walk.ray.origin + direction * std::max", "walk.ray.origin + direction * 0 * std::max",
+           "test_integrators", PLATE),
     Mutant("a walk's weights are its last one's", "integrators/walk_below.cpp",
-           "end.left = end.left * flight.weight();", "end.left = flight.weight();", "test_integrators",
+           "walk.left = walk.left * flight.weight();", "walk.left = flight.weight();", "test_integrators",
            PLATE),
     Mutant("a walk comes out at whatever it meets", "integrators/walk_below.cpp",
-           "if (scene.bindings[point.shape].material == body) return end;", "return end;",
+           "if (scene.bindings[point.shape].material == body) return walk;", "return walk;",
            "test_integrators", WITHIN),
     Mutant("walks below all vertices have the same draws", "integrators/walk_below.h",
-           "(vertex + 1) * (2 * most_events)", "2 * most_events", "test_integrators", DRAWS),
+           "(vertex + 1) * (2 * most_steps)", "2 * most_steps", "test_integrators", DRAWS),
+    Mutant("a walk that is too long is lost", "integrators/walk_below.cpp",
+           "  walk.hit = Hit{};\n", "  return std::nullopt;\n", "test_integrators", LONG),
+    Mutant("a walk begins where its ray does", "integrators/walk_below.cpp",
+           "float before = start.way;", "float before = 0;", "test_integrators", WAY),
+    Mutant("a walk comes out in what was there where it went in", "integrators/walk_below.cpp",
+           "walk.interiors = Interaction::interiors_behind(scene, point, back, walk.interiors);", "",
+           "test_integrators", BEYOND),
+    Mutant("light is as dense within glass as outside of it, below a surface", "integrators/walk_below.cpp",
+           "walk.left = walk.left / (eta * eta);", "", "test_integrators", BEYOND),
+    Mutant("a body that lets light in has another around it", "integrators/path_reference.cpp",
+           "binding.material == at.material() && binding.alpha == no_texture && !lets_light_in(material)",
+           "binding.alpha == no_texture", "test_integrators", LET_IN),
+    Mutant("no way below is too short", "integrators/path_reference.cpp",
+           "< least_radius * at.point().offset) return false;", "< 0) return false;", "test_integrators",
+           NONE),
+    Mutant("a way below may be too short in a channel", "integrators/path_reference.cpp",
+           "at_least(below.radius, least_radius * in.offset)", "below.radius", "test_integrators", NONE),
     Mutant("a body's base is not taken from what is reflected above it", "integrators/interaction.cpp",
-           "at_least_zero(all.value - value * weight_below_)", "all.value", "test_integrators", SAME),
+           "at_least_zero(all.value - bsdf_->of_below(wo_local_, local))", "all.value", "test_integrators",
+           SAME),
     Mutant("directions of the base count where it is a body", "integrators/interaction.cpp",
-           "std::max(all.pdf - pdf * base.probability * weight_below_, 0.0f)", "all.pdf", "test_integrators",
-           SAME),
-    Mutant("the base absorbs before the body does", "integrators/interaction.cpp",
-           ".value = ratio(base.albedo, base.reflectance) * (weight_below_ / pi),",
-           ".value = base.albedo * (weight_below_ / pi),", "test_integrators", SAME),
-    Mutant("what comes out passes the coat as if there were none", "integrators/interaction.cpp",
-           "return {ratio(value, base.albedo), pdf};", "return {white * (1 / pi), pdf};", "test_integrators",
-           SAME),
-    Mutant("all light goes below, whatever the weight", "integrators/interaction.cpp",
-           "lobe < base.first + base.probability * weight_below_;", "lobe < base.first + base.probability;",
+           "std::max(all.pdf - pdf * bsdf_->below(wo_local_).probability, 0.0f)", "all.pdf",
            "test_integrators", SAME),
+    Mutant("the base absorbs before the body does", "integrators/interaction.cpp",
+           ".value = passed / pi,", ".value = below.albedo / pi,", "test_integrators", SAME),
+    Mutant("what comes out passes the coat as if there were none", "integrators/interaction.cpp",
+           "return {bsdf_->from_below(local), pdf};", "return {white * (local.z > 0 ? 1 / pi : 0), pdf};",
+           "test_integrators", SAME),
+    Mutant("all that is diffuse goes below, whatever the weight", "core/lobes/principled.cpp",
+           "seen.choice.diffuse * subsurface_weight_", "seen.choice.diffuse", "test_integrators", SAME),
     Mutant("where a path comes out no light is looked for", "integrators/path_reference.cpp",
            "!leave(*emerged, draws.at_end())", "!scatter(*emerged, depth, draws.at_end(), path, observer)",
            "test_integrators", BEHIND),
@@ -104,12 +137,16 @@ MUTANTS = [
            "coated && has_emerging)", "coated && !has_emerging)", "test_io", TEXTURE),
     Mutant("a body may have one of its coefficients", "io/pbrt/subsurface_material.cpp",
            'if (in.has("sigma_a") != in.has("sigma_s"))', "if (false)", "test_io", TWO),
-    Mutant("the base's colour is that of what is below it", "io/pbrt/subsurface_material.cpp",
-           "own + (color - own) * weight", "color", "test_io", OPENPBR),
-    Mutant("the base's texture is that of what is below it", "io/pbrt/subsurface_material.cpp",
-           "std::erase_if(in.uses, is_of_base) > 0",
-           "std::count_if(in.uses.begin(), in.uses.end(), is_of_base) > 0",
-           "test_io", OWN_TEXTURE),
+    Mutant("a sheet has light below it", "io/pbrt/subsurface_material.cpp",
+           "if (!model.geometry_thin_walled) return", "return", "test_io", OPENPBR),
+    Mutant("a texture of OpenPBR's weight is none", "io/pbrt/subsurface_material.cpp",
+           "model.subsurface_weight == 0 && !has_texture", "model.subsurface_weight == 0", "test_io",
+           OWN_TEXTURE),
+    Mutant("a short radius is any number", "io/pbrt/subsurface_material.cpp",
+           "std::clamp(r, longest * least_part, most)", "r", "test_io", RADIUS),
+    Mutant("written pbrt has the base of OpenPBR's, whatever its part", "core/textured_material.cpp",
+           "const bool is_below = model->subsurface_weight >= 0.5f;", "const bool is_below = false;",
+           "test_io", WRITTEN),
     Mutant("written pbrt has the base for what comes out", "io/pbrt/writer_material.cpp",
            "is_body ? emerging_of_base(model, model.reflectance) : model.reflectance", "model.reflectance",
            "test_io", WRITTEN),

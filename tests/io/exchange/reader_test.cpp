@@ -110,7 +110,7 @@ Scene everything() {
     scene.materials.push_back({"m", model, {}});
   }
   for (Material& material : scene.materials)
-    if (may_have_subsurface(material.model)) material.subsurface = {{third, seventh, 1}, -third, seventh};
+    if (may_have_subsurface(material.model)) material.subsurface = {{third, seventh, 1}, -third};
   scene.materials[5].interior = {{third, seventh, 0}, 2, true, {seventh, 0, third}, -third};
   add_textures(scene);
   const Vec3 slanted = normalize({1, 2, 3});
@@ -351,7 +351,7 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
   CHECK(without("materials", "reflectance") == "a.json: materials[0]: \"reflectance\" is missing");
   CHECK(wrong("/materials/1/interior", {{"absorption", {0, 0, 0}}, {"priority", 0}, {"anisotropy", 1}}) ==
         "a.json: materials[1]: interior: \"anisotropy\" is 1; it must be from -0.99 to 0.99");
-  const nlohmann::json below{{"radius", {1, 1, 1}}, {"anisotropy", 0}, {"weight", 1}};
+  const nlohmann::json below{{"radius", {1, 1, 1}}, {"anisotropy", 0}};
   CHECK(wrong("/materials/1/subsurface", below) ==
         "a.json: materials[1]: \"subsurface\" belongs to a \"coated_diffuse\" or an \"openpbr\" that is not "
         "thin-walled");
@@ -366,8 +366,8 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
                                   {"subsurface", changed}});
   };
   CHECK(wrong_below("radius", {1, 0, 1}).starts_with("a.json: materials[0]: subsurface: \"radius\" is 0; "));
-  CHECK(wrong_below("weight", 2) ==
-        "a.json: materials[0]: subsurface: \"weight\" is 2; it must be from 0 to 1");
+  CHECK(wrong_below("anisotropy", 1) ==
+        "a.json: materials[0]: subsurface: \"anisotropy\" is 1; it must be from -0.99 to 0.99");
   const auto wrong_grid = [&](const nlohmann::json& size, const nlohmann::json& rows, const char* file) {
     return wrong("/densities", {{{"size", size}, {"to_unit", rows}, {"file", file}}});
   };

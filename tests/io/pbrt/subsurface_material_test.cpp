@@ -35,7 +35,7 @@ TEST_CASE("pbrt's subsurface by what comes out of it, and by how far light goes"
   const Material body = body_material(
       "\"subsurface\" \"rgb reflectance\" [ 0.8 0.4 0 ] \"rgb mfp\" [ 1 0.5 0.25 ] \"float scale\" 2 "
       "\"float g\" 0.3 \"float eta\" 1.5 \"float roughness\" 0.25");
-  CHECK(body.subsurface == Subsurface{{2, 1, 0.5f}, 0.3f, 1});
+  CHECK(body.subsurface == Subsurface{{2, 1, 0.5f}, 0.3f});
   CHECK(coated_base(body).ior == 1.5f);
   CHECK(coated_base(body).roughness == Roughness{0.5f, 0.5f});
   CHECK(coated_base(body).reflectance == base_of_emerging(coated_base(body), {0.8f, 0.4f, 0}));
@@ -47,7 +47,7 @@ TEST_CASE("pbrt's subsurface by what the body absorbs and scatters, by a name, o
   const Material body = body_material(
       "\"subsurface\" \"rgb sigma_a\" [ 1 0 2 ] \"rgb sigma_s\" [ 3 4 0 ] \"float scale\" 0.5 \"float g\" "
       "0.2");
-  CHECK(body.subsurface == Subsurface{{0.5f, 0.5f, 1}, 0.2f, 1});
+  CHECK(body.subsurface == Subsurface{{0.5f, 0.5f, 1}, 0.2f});
   CHECK(coated_base(body).reflectance.r == diffuse_reflectance(0.75f, 0.2f));
   CHECK(coated_base(body).reflectance.g == 1);
   CHECK(coated_base(body).reflectance.b == 0);
@@ -92,37 +92,41 @@ TEST_CASE("a subsurface material that says two things, or half of one, is refuse
         "without a \"reflectance\", \"mfp\" says nothing");
 }
 
-TEST_CASE("OpenPBR's subsurface has the colour of its base, mixed by its weight") {
+TEST_CASE("OpenPBR's subsurface has its own colour, weight and ways") {
   const Material whole = body_material(
-      "\"openpbr\" \"rgb base_color\" [ 1 1 1 ] \"float base_weight\" 0.5 \"float subsurface_weight\" 1 "
+      "\"openpbr\" \"rgb base_color\" [ 1 0 1 ] \"float subsurface_weight\" 0.5 "
       "\"rgb subsurface_color\" [ 0.5 0.25 1 ] \"float subsurface_radius\" 4 "
       "\"float subsurface_scatter_anisotropy\" 1");
-  CHECK(std::get<Principled>(whole.model).base_color == Rgb{0.5f, 0.25f, 1});
-  CHECK(std::get<Principled>(whole.model).base_weight == 1);
-  CHECK(whole.subsurface == Subsurface{{4, 2, 1}, 0.99f, 1});
-  const Material half = body_material(
-      "\"openpbr\" \"rgb base_color\" [ 0 0 1 ] \"float subsurface_weight\" 0.5 "
-      "\"rgb subsurface_color\" [ 1 0 0 ] \"rgb subsurface_radius_scale\" [ 1 1 1 ]");
-  CHECK(std::get<Principled>(half.model).base_color == Rgb{0.5f, 0, 0.5f});
-  CHECK(half.subsurface == Subsurface{{1, 1, 1}, 0, 0.5f});
+  CHECK(std::get<Principled>(whole.model).base_color == Rgb{1, 0, 1});
+  CHECK(std::get<Principled>(whole.model).subsurface_color == Rgb{0.5f, 0.25f, 1});
+  CHECK(std::get<Principled>(whole.model).subsurface_weight == 0.5f);
+  CHECK(whole.subsurface == Subsurface{{4, 2, 1}, 0.99f});
+  CHECK(body_material("\"openpbr\" \"float subsurface_weight\" 1 \"rgb subsurface_radius_scale\" [ 2 3 4 ]")
+            .subsurface == Subsurface{{2, 3, 4}});
   CHECK_FALSE(has_subsurface(body_material("\"openpbr\" \"rgb subsurface_color\" [ 1 0 0 ]")));
   CHECK(contains(material_error("\"openpbr\" \"float subsurface_weight\" 2"), "it lies in [0, 1]"));
   CHECK(material_warning("\"openpbr\" \"float subsurface_weight\" 1 \"bool geometry_thin_walled\" true") ==
         "light below a sheet is not rendered; a diffuse surface stands for it");
 }
 
-TEST_CASE("a texture of OpenPBR's base is not that of what is below it") {
-  const std::string texture = "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [ 0.5 0.25 1 ] ";
-  const auto uses = [&](const std::string& inputs) {
-    return load_pbrt_world(texture + "Material \"openpbr\" " + inputs).scene.materials.at(1).textures.size();
-  };
-  CHECK(uses("\"texture base_color\" \"t\" \"float subsurface_weight\" 1") == 0);
-  CHECK(uses("\"texture subsurface_color\" \"t\" \"float subsurface_weight\" 1") == 1);
-  const LoadedScene mixed = load_pbrt_world(
-      texture + "Material \"openpbr\" \"texture base_color\" \"t\" \"float subsurface_weight\" 0.5");
-  CHECK(mixed.scene.materials.at(1).textures.empty());
-  REQUIRE(mixed.warnings.size() == 1);
-  CHECK(contains(mixed.warnings[0].message, "the mean of the base's texture stands for it"));
+TEST_CASE("a radius of 0 is none, and one that is short in a channel at least a thousandth of the others'") {
+  CHECK_FALSE(
+      has_subsurface(body_material("\"subsurface\" \"rgb reflectance\" [ 1 1 1 ] \"float scale\" 0")));
+  CHECK_FALSE(has_subsurface(
+      body_material("\"openpbr\" \"float subsurface_weight\" 1 \"float subsurface_radius\" 0")));
+  CHECK(body_material("\"subsurface\" \"rgb reflectance\" [ 1 1 1 ] \"rgb mfp\" [ 2 1 0 ]").subsurface ==
+        Subsurface{{2, 1, 0.002f}});
+}
+
+TEST_CASE("OpenPBR's subsurface may have textures for its colour and its weight") {
+  const Material material =
+      load_pbrt_world(
+          "Texture \"c\" \"spectrum\" \"constant\" \"rgb value\" [ 0.5 0.25 1 ] "
+          "Texture \"w\" \"float\" \"constant\" \"float value\" [ 0 ] "
+          "Material \"openpbr\" \"texture subsurface_color\" \"c\" \"texture subsurface_weight\" \"w\"")
+          .scene.materials.at(1);
+  CHECK(material.textures.size() == 2);
+  CHECK(has_subsurface(material));
 }
 
 TEST_CASE("written pbrt: a body comes back, and what pbrt's cannot be is named") {
@@ -133,11 +137,20 @@ TEST_CASE("written pbrt: a body comes back, and what pbrt's cannot be is named")
   CHECK(contains(trip.text, "\"subsurface\""));
   CHECK(only_material(trip).subsurface == scene.materials[0].subsurface);
   CHECK(coated_base(only_material(trip)).reflectance.g == Approx(0.5).epsilon(1e-4));
-  scene.materials[0].subsurface.weight = 0.25f;
-  CHECK(round_trip(scene, "a.pbrt").warnings ==
-        std::vector<std::string>{
-            "light below the surface of a material of the type coated_diffuse is left out"});
-  scene.materials[0].subsurface.weight = 1;
+  // OpenPBR's, where it is the larger part of what is diffuse.
+  Principled model{
+      .base_color = {1, 0, 0}, .subsurface_weight = 0.6f, .subsurface_color = {0.8f, 0.5f, 0.2f}};
+  scene.materials[0].model = model;
+  const RoundTrip larger = round_trip(scene, "a.pbrt");
+  CHECK(only_material(larger).subsurface == scene.materials[0].subsurface);
+  CHECK(coated_base(only_material(larger)).reflectance.g == Approx(0.5).epsilon(1e-4));
+  model.subsurface_weight = 0.4f;
+  scene.materials[0].model = model;
+  const RoundTrip lesser = round_trip(scene, "a.pbrt");
+  CHECK_FALSE(has_subsurface(only_material(lesser)));
+  CHECK(coated_base(only_material(lesser)).reflectance == Rgb{1, 0, 0});
+  CHECK(contains(lesser.warnings.back(),
+                 "light below the surface of a material of the type openpbr is left out"));
   const std::vector<std::string> lost = round_trip(scene, "a.gltf").warnings;
   CHECK(std::count(lost.begin(), lost.end(), "light below the surface of a material is left out") == 1);
 }
