@@ -40,10 +40,6 @@ void widen(Principled& model, float strength);
 /// channel.
 void set_fuzz(Principled& model, const Rgb& weighted_color);
 
-/// The same Principled with one diffuse base: the subsurface's, whose colour base_color is then, where it is
-/// at least half of it; else the other one. For formats that know one only.
-Material with_one_base(const Material& material);
-
 /// The material's model with what its textures have at the point, each within its range: eta and k from 0 to
 /// 1000, all else in [0, 1]. What widens facets does so after all else is known, and so does what emerges.
 SurfaceModel textured_model(const Material& material, std::span<const Texture> textures,

@@ -157,8 +157,9 @@ Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, 
 
 bool PathReference::goes_below(const Interaction& at) const {
   const Material& material = scene_.materials[at.material()];
+  if (!has_subsurface(material)) return false;
   if (max_component(material.subsurface.radius) < least_radius * at.point().offset) return false;
-  if (!has_subsurface(material) || at.side() == Side::outside) return has_subsurface(material);
+  if (at.side() == Side::outside) return true;
   // Nothing but a walk gets into a body that is opaque: that is how its surface is turned.
   const ShapeBinding& binding = scene_.bindings[at.point().shape];
   return binding.material == at.material() && binding.alpha == no_texture && !lets_light_in(material);

@@ -9,6 +9,7 @@
 
 #include "core/textured_material.h"
 #include "io/exchange/writer.h"
+#include "io/one_base.h"
 
 namespace twinray {
 namespace {

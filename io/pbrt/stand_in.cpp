@@ -9,6 +9,7 @@
 #include "core/shading_map.h"
 #include "core/textured_material.h"
 #include "io/exchange/writer.h"
+#include "io/one_base.h"
 
 namespace twinray {
 namespace {

@@ -146,7 +146,7 @@ MUTANTS = [
            OWN_TEXTURE),
     Mutant("a short radius is any number", "io/pbrt/subsurface_material.cpp",
            "std::clamp(r, longest * least_part, most)", "r", "test_io", RADIUS),
-    Mutant("written pbrt has the base of OpenPBR's, whatever its part", "core/textured_material.cpp",
+    Mutant("written pbrt has the base of OpenPBR's, whatever its part", "io/one_base.cpp",
            "const bool is_below = model->subsurface_weight >= 0.5f;", "const bool is_below = false;",
            "test_io", WRITTEN),
     Mutant("written pbrt has the base for what comes out", "io/pbrt/writer_material.cpp",
