@@ -164,6 +164,13 @@ TEST_CASE("what goes below is the subsurface's part of the base, and no metal") 
   const Rgb metal = value();
   model.subsurface_weight = 0;
   CHECK(value() == metal);
+  // Of two of one colour, so much of the light goes below as the weight says.
+  const auto probability = [&](float weight) {
+    Principled two = principled(0.3f);
+    two.base_color = skin, two.subsurface_weight = weight;
+    return Bsdf(two).below(wo).probability;
+  };
+  CHECK(probability(0.25f) == Approx(0.25f * probability(1)));
   // Its shape is Lambert's, however rough the rest is.
   Principled rough = principled(0.3f);
   rough.base_diffuse_roughness = 1;

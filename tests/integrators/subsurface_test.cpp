@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light below surfaces, as a whole picture shows it: held to the surfaces that it stands for, and furnaces.
 #include "core/subsurface.h"
+#include <cmath>
+
 #include "accel/accelerator.h"
 #include "integrators/furnace.h"
 #include "integrators/path_reference.h"
@@ -125,14 +127,40 @@ TEST_CASE("a path that comes out beyond what covers a body is in what is there")
 }
 
 TEST_CASE("what is let into a body sees no other body around it from within") {
-  Scene scene = ball_under_sky(CoatedDiffuse{white, {}, 1.5f});
-  scene.materials = {
-      {.name = "body", .model = CoatedDiffuse{white, {}, 1.5f}, .subsurface = {{0.1f, 0.1f, 0.1f}}},
-      {.name = "glass", .model = Dielectric{}},
-      {.name = "mix", .model = Mix{0, 1, 0.5f}}};
-  scene.bindings = {{2}};
-  const PathOptions path{.max_depth = 100, .roulette = {1}};
-  check_mean(estimate(scene, path, small_picture(1024)), 1, 0.2);
+  // A ball that is let into here and there, seen from its middle.
+  const auto film = [](const Subsurface& below) {
+    Scene scene = ball_under_sky(CoatedDiffuse{});
+    scene.materials = {{.name = "body", .model = CoatedDiffuse{skin, {}, 1.5f}, .subsurface = below},
+                       {.name = "glass", .model = Dielectric{}},
+                       {.name = "mix", .model = Mix{0, 1, 0.5f}}};
+    scene.bindings = {{2}};
+    const auto& ball = scene.geometry->sphere_set(0)->spheres[0];
+    scene.camera = camera_at(ball.center, ball.center + Vec3{0, 0, 1});
+    return render_with(scene, PathReference(scene, {.max_depth = 5}), small_picture(64)).film;
+  };
+  CHECK(same_bits(film({{0.1f, 0.1f, 0.1f}}), film({})));
+}
+
+TEST_CASE("what comes out of a body leaves through its layers, in directions of a matte surface") {
+  const CoatedDiffuse model{skin, {}, 2.5f};
+  const Scene scene = lit_ball(model, {{0.1f, 0.1f, 0.1f}});
+  const BsdfTable bsdfs(scene, Materials::exact);
+  SurfacePoint point;
+  point.position = point.geometric_normal = point.shading_normal = {0, 0, 1};
+  const Interaction at = Interaction::emerging(bsdfs, point, 0, normalize({0.5f, 0, 0.3f}), {});
+  CHECK(at.is_emerging());
+  CHECK(at.normal() == Vec3{0, 0, 1});
+  const Bsdf bsdf{SurfaceModel(model)};
+  for (const float cosine : {0.1f, 0.5f, 0.9f}) {
+    const Vec3 wi{std::sqrt(1 - cosine * cosine), 0, cosine};
+    const auto [value, pdf] = at.scattered(wi);
+    CHECK(value.g == Approx(bsdf.from_below(wi).g * cosine));
+    CHECK(pdf == Approx(cosine / pi));
+    CHECK(is_black(at.scattered(-wi).value));
+  }
+  const BsdfSample sample = at.sample(0, {0.3f, 0.6f});
+  CHECK(sample.is_diffuse);
+  CHECK(sample.pdf == Approx(sample.wi.z / pi));
 }
 
 TEST_CASE("light comes out of a body where no lamp shines on it") {
@@ -153,10 +181,21 @@ TEST_CASE("a lit walk through a body counts as one bounce") {
   const Scene scene = lit_ball(CoatedDiffuse{skin, {}, 1}, {{0.1f, 0.1f, 0.1f}});
   CHECK(estimate(scene, {.max_depth = 0}, small_picture(4)).mean == 0);
   CHECK(estimate(scene, {.max_depth = 1}, small_picture(256)).mean > 0.1);
-  // And it is diffuse: none is left beyond the first where no further diffuse one may be.
-  const PathOptions limited{.max_depth = 20, .limits = {.diffuse = 0}};
-  const Film once = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), small_picture(64)).film;
-  CHECK(same_bits(render_with(scene, PathIntegrator(scene, limited), small_picture(64)).film, once));
+}
+
+TEST_CASE("in a room of matte surfaces and bodies, diffuse bounces are bounces") {
+  Scene scene = small_room();
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  shapes.push_back(SphereSet{"body", {{{0, -0.2f, 0.1f}, 0.5f}}});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  scene.bindings.push_back({std::uint32_t(scene.materials.size())});
+  scene.materials.push_back(
+      {.name = "body", .model = CoatedDiffuse{skin, {}, 1}, .subsurface = {{0.1f, 0.1f, 0.1f}}});
+  const auto film = [&](const PathOptions& path) {
+    return render_with(scene, PathReference(scene, path), small_picture(256)).film;
+  };
+  CHECK(
+      same_bits(film({.max_depth = 20, .limits = {.diffuse = 1}, .roulette = {1}}), film({.max_depth = 2})));
 }
 
 TEST_CASE("bodies have the same bits on all engines, instruction sets and threads") {

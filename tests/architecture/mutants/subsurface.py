@@ -22,7 +22,8 @@ WITHIN = "surfaces of other materials within a body change nothing, and parts of
 DRAWS = "draws of a walk are those of no vertex of a path, nor of another walk"
 SAME = "where light goes no way below, a body is what its base would be, by lamps and by directions"
 BEHIND = "light comes out of a body where no lamp shines on it"
-BOUNCE = "a lit walk through a body counts as one bounce"
+BOUNCE = "in a room of matte surfaces and bodies, diffuse bounces are bounces"
+LEAVING = "what comes out of a body leaves through its layers, in directions of a matte surface"
 PARTS = "what comes out of a body is diffuse light, and the parts of a picture add up to it"
 REPLAY = "a replayed path names its walks below surfaces, and its terms add up to its radiance"
 EMITTED = "pbrt's subsurface by what comes out of it, and by how far light goes"
@@ -110,9 +111,9 @@ MUTANTS = [
            ".value = passed / pi,", ".value = below.albedo / pi,", "test_integrators", SAME),
     Mutant("what comes out passes the coat as if there were none", "integrators/interaction.cpp",
            "return {bsdf_->from_below(local), pdf};", "return {white * (local.z > 0 ? 1 / pi : 0), pdf};",
-           "test_integrators", SAME),
+           "test_integrators", LEAVING),
     Mutant("all that is diffuse goes below, whatever the weight", "core/lobes/principled.cpp",
-           "seen.choice.diffuse * subsurface_weight_", "seen.choice.diffuse", "test_integrators", SAME),
+           "seen.choice.diffuse * subsurface_weight_", "seen.choice.diffuse", "test_core", PART),
     Mutant("where a path comes out no light is looked for", "integrators/path_reference.cpp",
            "!leave(*emerged, draws.at_end())", "!scatter(*emerged, depth, draws.at_end(), path, observer)",
            "test_integrators", BEHIND),
