@@ -160,7 +160,7 @@ bool PathReference::goes_below(const Interaction& at) const {
   if (!has_subsurface(material)) return false;
   if (max_component(material.subsurface.radius) < least_radius * at.point().offset) return false;
   if (at.side() == Side::outside) return true;
-  // Nothing but a walk gets into a body that is opaque: that is how its surface is turned.
+  // Nothing but a walk gets into a body that is opaque: mostly its surface is turned inside out.
   const ShapeBinding& binding = scene_.bindings[at.point().shape];
   return binding.material == at.material() && binding.alpha == no_texture && !lets_light_in(material);
 }
@@ -173,9 +173,11 @@ std::optional<Interaction> PathReference::emerge(const Interaction& from, const 
   below.radius = at_least(below.radius, least_radius * in.offset);
   // The way to the ray's origin, as steep as it mostly is.
   const float cosine = std::fabs(dot(in.geometric_normal, path.ray.direction));
-  const WalkStart start{path.ray, in.offset / std::max(cosine, 0.25f), path.viewing.interiors};
-  const auto end = walk_below(scene_, tracer, medium_below(below, from.reflectance_below()), body, start,
-                              path.throughput, draws);
+  const Rgb reflectance = from.reflectance_below();
+  WalkStart start{path.ray, in.offset / std::max(cosine, 0.25f), path.viewing.interiors};
+  if (from.side() == Side::inside) start.left_if_open = reflectance;
+  const auto end =
+      walk_below(scene_, tracer, medium_below(below, reflectance), body, start, path.throughput, draws);
   if (!end) return std::nullopt;
   path.ray = end->ray;
   path.throughput = path.throughput * end->left;

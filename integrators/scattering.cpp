@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/scattering.h"
 
+#include "core/frame.h"
+
 namespace twinray {
 namespace {
 
@@ -14,11 +16,10 @@ ScatterKind kind_of(const Interaction& at, const BsdfSample& sample) {
   return sample.is_diffuse ? ScatterKind::diffuse : ScatterKind::glossy;
 }
 
-/// Where the sample goes into a body, it does so whatever the normals say.
-Vec3 into_body(const Interaction& at, const Vec3& wi) {
-  const Vec3 outward = facing(at.point().geometric_normal, at.wo());
-  const float above = dot(outward, wi);
-  return above > 0 ? wi - outward * (2 * above) : wi;
+/// The way into a body is matte around the geometric normal: that is how light comes into it, whatever other
+/// normals say.
+Vec3 into_body(const Interaction& at, const Vec3& local) {
+  return Frame(facing(at.point().geometric_normal, at.wo())).to_world(local);
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ std::optional<Scattering> scatter(const Interaction& at, const Rgb& throughput, 
   if (is_black(next)) return std::nullopt;
   const Departure departure{at.receiver(), sample.pdf, seeking_of(at, sample)};
   if (is_below)
-    return Scattering{.direction = into_body(at, wi),
+    return Scattering{.direction = into_body(at, sample.wi),
                       .throughput = next,
                       .departure = departure,
                       .interiors = at.interiors(at.wo()),

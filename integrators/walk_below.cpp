@@ -50,6 +50,10 @@ std::optional<WalkEnd> walk_below(const Scene& scene, Tracer& tracer, const Inte
   for (std::uint32_t step = 0; step < WalkDraws::most_steps; ++step) {
     const VertexSampler sampler = draws.at(step);
     walk.hit = tracer.bounce_hit(walk.ray);
+    if (step == 0 && walk.hit.is_miss() && start.left_if_open) {
+      walk.left = *start.left_if_open;
+      return walk;
+    }
     Flight flight(throughput * walk.left, sampler.draw_1d(Purpose::medium));
     const Ray whole{.direction = walk.ray.direction};
     const bool is_scattered =

@@ -37,6 +37,9 @@ struct WalkStart {
   Ray into;
   float way = 0;  ///< From the surface to the ray's origin, which is moved off it.
   Interiors interiors = {};
+  /// What comes back where the walk went in, if its first ray meets nothing: that is no way into a body.
+  /// None: then the body has no end there.
+  std::optional<Rgb> left_if_open = {};
 };
 
 /// Where a walk has come out.

@@ -3,11 +3,15 @@
 
 namespace twinray {
 
-Material with_one_base(const Material& material) {
+Material with_one_base(const Material& material, Losses& losses) {
   Material one = material;
   auto* const model = std::get_if<Principled>(&one.model);
   if (!model) return one;
-  const bool is_below = model->subsurface_weight >= 0.5f;
+  const float weight = model->subsurface_weight;
+  const bool is_below = weight >= 0.5f;
+  if (texture_use(material, MaterialInput::subsurface_weight) || (weight > 0 && weight < 1))
+    losses.add("the lesser of the two diffuse parts of a material is left out",
+               "the lesser of the two diffuse parts of {} materials is left out");
   const auto is_other = [&](const TextureUse& use) {
     using enum MaterialInput;
     if (use.input == subsurface_weight) return true;

@@ -280,7 +280,7 @@ GltfStandIn gltf_stand_in(const Scene& scene, std::uint32_t material, Losses& lo
   if (has_subsurface(own))
     losses.add("light below the surface of a material is left out",
                "light below the surfaces of {} materials is left out");
-  const PlainMaterial plain = without_spared_metal(scene, with_one_base(own));
+  const PlainMaterial plain = without_spared_metal(scene, with_one_base(own, losses));
   return StandIn(plain, losses).make();
 }
 

@@ -32,7 +32,9 @@ Roughness alpha_of(float roughness, float anisotropy) {
 class StandIn {
  public:
   StandIn(const Material& material, Losses& losses)
-      : material_(with_one_base(material)), has_subsurface_(has_subsurface(material)), losses_(losses) {}
+      : material_(with_one_base(material, losses)),
+        has_subsurface_(has_subsurface(material)),
+        losses_(losses) {}
 
   PbrtStandIn make() {
     made_.material = material_;

@@ -11,6 +11,7 @@
 #include "tests/support/engines.h"
 #include "tests/support/estimate.h"
 #include "tests/support/film.h"
+#include "tests/support/random.h"
 #include "tests/support/scenes.h"
 #include "tests/support/traced_records.h"
 
@@ -139,6 +140,42 @@ TEST_CASE("what is let into a body sees no other body around it from within") {
     return render_with(scene, PathReference(scene, {.max_depth = 5}), small_picture(64)).film;
   };
   CHECK(same_bits(film({{0.1f, 0.1f, 0.1f}}), film({})));
+}
+
+TEST_CASE("light enters a body as it comes to the true surface, whatever other normals say") {
+  const Scene scene = lit_ball(CoatedDiffuse{skin, {}, 1}, {{0.1f, 0.1f, 0.1f}});
+  const BsdfTable bsdfs(scene, Materials::exact);
+  SurfacePoint point;
+  point.position = point.geometric_normal = {0, 0, 1};
+  double cosines = 0;
+  constexpr int count = 4096;
+  Random random(3);
+  for (const Vec3& shading : {Vec3{0, 0, 1}, normalize(Vec3{0.8f, 0, 0.6f})}) {
+    point.shading_normal = shading;
+    Interaction at(bsdfs, point, normalize(Vec3{0.3f, 0, 1}));
+    at.keep_above();
+    cosines = 0;
+    for (int i = 0; i < count; ++i) {
+      const auto into = scatter(at, {1, 1, 1}, 0.5f, in_square(random));
+      REQUIRE(into);
+      CHECK(into->is_below);
+      cosines -= double(into->direction.z) / count;
+    }
+    // The mean cosine of a matte surface.
+    CHECK(cosines == Approx(2.0 / 3).margin(0.015));
+  }
+}
+
+TEST_CASE("a body that is seen from within, with nothing beyond, reflects where it is") {
+  // A ball about the camera, whose outside is outside: its inside is dark, and no body.
+  const auto film = [](const Subsurface& below) {
+    Scene scene = lit_ball(CoatedDiffuse{white, {}, 1.5f}, below);
+    scene.geometry = std::make_shared<const Geometry>(
+        std::vector<Shape>{SphereSet{"ball", {{{0, 0, 0}, 1}}}, SphereSet{"lamp", {{{0, 0.5f, 0}, 0.1f}}}});
+    scene.camera = camera_at({0, 0, 0}, {0, 0, 1});
+    return estimate_of(render_with(scene, PathReference(scene, {.max_depth = 3}), small_picture(1024)).film);
+  };
+  check_same_mean(film({{0.1f, 0.1f, 0.1f}}), film({}), 0.2);
 }
 
 TEST_CASE("what comes out of a body leaves through its layers, in directions of a matte surface") {

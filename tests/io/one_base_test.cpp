@@ -14,10 +14,11 @@ TEST_CASE("the one base of a material is the larger part of what is diffuse, wit
                        {MaterialInput::subsurface_color, 2},
                        {MaterialInput::subsurface_weight, 3},
                        {MaterialInput::roughness, 4}};
+  Losses losses;
   const auto one = [&](float weight) {
     both.subsurface_weight = weight;
     material.model = both;
-    return with_one_base(material);
+    return with_one_base(material, losses);
   };
   const Material below = one(0.5f);
   CHECK(std::get<Principled>(below.model).base_color == Rgb{0, 1, 0});
@@ -33,10 +34,12 @@ TEST_CASE("the one base of a material is the larger part of what is diffuse, wit
   CHECK_FALSE(has_subsurface(above));
   REQUIRE(above.textures.size() == 3);
   CHECK(texture_use(above, MaterialInput::reflectance)->texture == 0);
+  CHECK(losses.lines("a").at(0) == "a: the lesser of the two diffuse parts of 2 materials is left out");
   // Others have one.
   material.model = CoatedDiffuse{};
-  CHECK(with_one_base(material).subsurface == material.subsurface);
-  CHECK(with_one_base(material).textures.size() == material.textures.size());
+  losses = {};
+  CHECK(with_one_base(material, losses).subsurface == material.subsurface);
+  CHECK(with_one_base(material, losses).textures.size() == material.textures.size());
 }
 
 }  // namespace twinray::test

@@ -11,6 +11,8 @@ PART = "what goes below is the subsurface's part of the base, and no metal"
 NONE = "where light goes less far below than rounding, it is reflected where it is"
 BEYOND = "a path that comes out beyond what covers a body is in what is there"
 LET_IN = "what is let into a body sees no other body around it from within"
+ENTERED = "light enters a body as it comes to the true surface, whatever other normals say"
+WITHIN_BALL = "a body that is seen from within, with nothing beyond, reflects where it is"
 LONG = "a walk that would be too long comes out where it went in"
 WAY = "the way from a surface to where its rays begin is part of a walk"
 RADIUS = "a radius of 0 is none, and one that is short in a channel at least a thousandth of the others'"
@@ -96,6 +98,12 @@ MUTANTS = [
     Mutant("a body that lets light in has another around it", "integrators/path_reference.cpp",
            "binding.material == at.material() && binding.alpha == no_texture && !lets_light_in(material)",
            "binding.alpha == no_texture", "test_integrators", LET_IN),
+    Mutant("light enters a body around the shading normal", "integrators/scattering.cpp",
+           "return Frame(facing(at.point().geometric_normal, at.wo())).to_world(local);",
+           "return at.to_world(local);", "test_integrators", ENTERED),
+    Mutant("what is turned back from no body is all of the light", "integrators/path_reference.cpp",
+           "start.left_if_open = reflectance;", "start.left_if_open = white * 0.5f;", "test_integrators",
+           WITHIN_BALL),
     Mutant("no way below is too short", "integrators/path_reference.cpp",
            "< least_radius * at.point().offset) return false;", "< 0) return false;", "test_integrators",
            NONE),
