@@ -156,7 +156,7 @@ MUTANTS = [
     Mutant("a short radius is any number", "io/pbrt/subsurface_material.cpp",
            "std::clamp(r, longest * least_part, most)", "r", "test_io", RADIUS),
     Mutant("written pbrt has the base of OpenPBR's, whatever its part", "io/one_base.cpp",
-           "const bool is_below = model->subsurface_weight >= 0.5f;", "const bool is_below = false;",
+           "const bool is_below = weight >= 0.5f;", "const bool is_below = false;",
            "test_io", WRITTEN),
     Mutant("written pbrt has the base for what comes out", "io/pbrt/writer_material.cpp",
            "is_body ? emerging_of_base(model, model.reflectance) : model.reflectance", "model.reflectance",
