@@ -35,6 +35,7 @@ PathEnd PathLog::end() const {
   if (!vertex.surface) return PathEnd::left;
   if (!vertex.scattering) return PathEnd::depth;
   if (!vertex.scattering->next) return PathEnd::absorbed;
+  if (vertex.scattering->next->is_below) return PathEnd::below;
   return vertex.roulette && !vertex.roulette->is_survived() ? PathEnd::roulette : PathEnd::unlit;
 }
 

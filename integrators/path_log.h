@@ -42,6 +42,7 @@ enum class PathEnd {
   depth,     ///< It was scattered as often as it may be; the last ray only looked for light.
   absorbed,  ///< The surface scatters nothing where it would have gone on.
   roulette,
+  below,  ///< It has gone below a surface, and does not come out.
   unlit,  ///< It may be scattered no more, and the ray that would have gone on finds no light by itself.
 };
 

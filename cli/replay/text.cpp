@@ -187,6 +187,8 @@ std::string end_text(PathEnd end) {
       return "the surface scatters nothing where it would have gone on";
     case PathEnd::roulette:
       return "roulette";
+    case PathEnd::below:
+      return "it does not come out of the body";
     case PathEnd::unlit:
       return "it may not be scattered again, and a ray alone would find no light beyond what light samples "
              "count";

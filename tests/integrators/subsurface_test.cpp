@@ -273,16 +273,21 @@ TEST_CASE("a replayed path names its walks below surfaces, and its terms add up 
   const PathIntegrator integrator(scene, {.max_depth = 3});
   const auto engine = build_accelerator(default_backend(), scene.geometry);
   const RenderOptions options = small_picture(64);
-  int walks = 0;
+  int walks = 0, lost = 0;
   for (std::uint32_t index = 0; index < 64; ++index) {
     const Replay made = replay({scene, *engine, integrator}, {.max_depth = 3}, options, {1, 2, index});
     CHECK(made.path.sum() == made.radiance);
+    const PathVertex& last = made.path.vertices().back();
+    const bool is_lost = last.scattering && last.scattering->next && last.scattering->next->is_below;
+    CHECK(is_lost == (made.path.end() == PathEnd::below));
+    lost += is_lost;
     for (const PathVertex& vertex : made.path.vertices()) {
       walks += vertex.arrival.events_below.has_value();
       if (vertex.arrival.events_below) CHECK(vertex.surface->is_emerging());
     }
   }
   CHECK(walks > 0);
+  CHECK(lost > 0);
 }
 
 TEST_CASE("a furnace takes the base for what is below it") {

@@ -135,6 +135,8 @@ MUTANTS = [
     Mutant("what comes out of a body is no diffuse light", "integrators/interaction.cpp",
            "if (is_emerging()) return {1, 1, 1};", "if (is_emerging()) return {};", "test_integrators",
            PARTS),
+    Mutant("a path that stays in a body ends as others do", "integrators/path_log.cpp",
+           "if (vertex.scattering->next->is_below) return PathEnd::below;", "", "test_integrators", REPLAY),
     Mutant("a path's log does not name its walks", "integrators/path_reference.cpp",
            ".events_below = end->events", ".events_below = std::nullopt", "test_integrators", REPLAY),
     Mutant("pbrt's scale of a body does not scale its ways", "io/pbrt/subsurface_material.cpp",
