@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bsdf.h"
 
+#include <type_traits>
+
 namespace twinray {
 namespace {
 
@@ -57,6 +59,17 @@ struct LobesOf {
   Bsdf::Lobes operator()(const Mix&) const { return LambertLobe{}; }
 };
 
+/// What f makes of the lobe; nothing of one that has not what f asks for.
+template <typename Result, typename F>
+Result of_lobe(const Bsdf::Lobes& lobes, const F& f) {
+  return std::visit(
+      [&](const auto& lobe) -> Result {
+        if constexpr (std::is_invocable_v<F, decltype(lobe)>) return f(lobe);
+        return {};
+      },
+      lobes);
+}
+
 }  // namespace
 
 Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
@@ -72,27 +85,18 @@ Rgb Bsdf::diffuse(const Vec3& wo, const Vec3& wi) const {
 }
 
 BelowSurface Bsdf::below(const Vec3& wo) const {
-  const auto of = [&](const auto& lobe) -> BelowSurface {
-    if constexpr (requires { lobe.below(wo); }) return lobe.below(wo);
-    return {};
-  };
-  return std::visit(of, lobes_);
+  return of_lobe<BelowSurface>(lobes_,
+                               [&](const auto& lobe) -> decltype(lobe.below(wo)) { return lobe.below(wo); });
 }
 
 Rgb Bsdf::of_below(const Vec3& wo, const Vec3& wi) const {
-  const auto of = [&](const auto& lobe) -> Rgb {
-    if constexpr (requires { lobe.of_below(wo, wi); }) return lobe.of_below(wo, wi);
-    return {};
-  };
-  return std::visit(of, lobes_);
+  return of_lobe<Rgb>(
+      lobes_, [&](const auto& lobe) -> decltype(lobe.of_below(wo, wi)) { return lobe.of_below(wo, wi); });
 }
 
 Rgb Bsdf::from_below(const Vec3& wi) const {
-  const auto of = [&](const auto& lobe) -> Rgb {
-    if constexpr (requires { lobe.from_below(wi); }) return lobe.from_below(wi);
-    return {};
-  };
-  return std::visit(of, lobes_);
+  return of_lobe<Rgb>(lobes_,
+                      [&](const auto& lobe) -> decltype(lobe.from_below(wi)) { return lobe.from_below(wi); });
 }
 
 bool Bsdf::lets_light_through() const {

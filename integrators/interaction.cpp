@@ -111,8 +111,7 @@ Interaction Interaction::emerging(const BsdfTable& bsdfs, const SurfacePoint& po
   return at;
 }
 
-bool Interaction::goes_below(float lobe) const {
-  if (part_ != Part::above) return false;
+bool Interaction::is_below(float lobe) const {
   const BelowSurface below = bsdf_->below(wo_local_);
   return lobe >= below.first && lobe < below.first + below.probability;
 }

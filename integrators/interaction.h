@@ -83,7 +83,7 @@ class Interaction {
   /// what the base would absorb.
   BsdfSample sample(float lobe, Vec2 u) const;
   /// Whether the draw `lobe` lets a path go below the surface.
-  bool goes_below(float lobe) const;
+  bool goes_below(float lobe) const { return part_ == Part::above && is_below(lobe); }
   /// Of the base that stands for the body.
   Rgb reflectance_below() const { return bsdf_->below(wo_local_).reflectance; }
   /// The cosine that belongs to a sample's value, >= 0; in a medium there is none: 1.
@@ -136,6 +136,7 @@ class Interaction {
     return part_ == Part::whole ? bsdf_->evaluate(wo_local_, local) : value_of_layers(local);
   }
   BsdfValue value_of_layers(const Vec3& local) const;
+  bool is_below(float lobe) const;
   BsdfSample sample_below(Vec2 u) const;
 
   SurfacePoint point_;

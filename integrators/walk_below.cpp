@@ -14,7 +14,7 @@
 namespace twinray {
 namespace {
 
-/// From this event on a walk may be given up: few are so long where much is absorbed.
+/// From this step on a walk may be given up: few are so long where much is absorbed.
 constexpr std::uint32_t first_roulette = 16;
 
 /// False where the walk is given up.
@@ -55,6 +55,7 @@ std::optional<WalkEnd> walk_below(const Scene& scene, Tracer& tracer, const Inte
       return walk;
     }
     Flight flight(throughput * walk.left, sampler.draw_1d(Purpose::medium));
+    // The medium is even, so it is the same wherever the way begins.
     const Ray whole{.direction = walk.ray.direction};
     const bool is_scattered =
         flight.ends_within(medium, MediumColumn(scene, medium, whole, before + walk.hit.t));
