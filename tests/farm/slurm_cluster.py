@@ -46,6 +46,22 @@ PartitionName=urgent Nodes={nodes} MaxTime=INFINITE PriorityTier=10 PreemptMode=
 """
 
 
+def signal_to(process, signal_number):
+    """Sends a process a signal, unless it has ended."""
+    try:
+        os.kill(int(process), signal_number)
+    except ProcessLookupError:
+        pass
+
+
+def content(path):
+    """What a file of /proc holds, or nothing where its process has ended."""
+    try:
+        return Path(path).read_text(errors="surrogateescape")
+    except OSError:
+        return ""
+
+
 def missing():
     """What keeps a cluster from being made here, or nothing."""
     absent = [name for name in PROGRAMS if not shutil.which(name, path=f"{os.environ['PATH']}:/usr/sbin")]
@@ -102,18 +118,18 @@ class Cluster:
 
     def kill(self, pid_file, signal_number):
         try:
-            os.kill(int((self.folder / pid_file).read_text()), signal_number)
-        except (OSError, ValueError):
-            pass  # It is gone already.
+            signal_to((self.folder / pid_file).read_text(), signal_number)
+        except (FileNotFoundError, ValueError):
+            pass  # It has not begun, or has ended and taken its file along.
 
     def kill_node(self, node):
         """As a machine that loses its power: its daemon, and all that runs on it, the daemons first."""
         self.kill(f"{node}.pid", signal.SIGKILL)
         jobs = self.processes(SLURMD_NODENAME=node)
-        daemons = {(process / "stat").read_text().rsplit(")", 1)[1].split()[1] for process in jobs}
-        steps = [number for number in daemons if Path(f"/proc/{number}/comm").read_text() == "slurmstepd\n"]
+        parents = {parent for process in jobs for parent in content(process / "stat").rpartition(")")[2].split()[1:2]}
+        steps = [number for number in parents if content(f"/proc/{number}/comm") == "slurmstepd\n"]
         for number in (*steps, *(process.name for process in jobs)):
-            os.kill(int(number), signal.SIGKILL)
+            signal_to(number, signal.SIGKILL)
 
     def freeze(self, task, program):
         """Holds a task's processes of this name where they are: they last until they are told to end. Whether
@@ -127,37 +143,25 @@ class Cluster:
     def tell(self, task, program, signal_number):
         told = False
         for process in self.processes(SLURM_ARRAY_TASK_ID=task):
-            try:
-                if (process / "comm").read_text().strip() == program:
-                    os.kill(int(process.name), signal_number)
-                    told = True
-            except OSError:
-                pass  # It has ended.
+            if content(process / "comm").strip() == program:
+                signal_to(process.name, signal_number)
+                told = True
         return told
 
     def end_time_of(self, job):
         """What a node's daemon does a minute before a job's time is over: its script, alone, gets SIGUSR2."""
-        script = f"/job{int(job):05d}/slurm_script".encode()
+        script = f"/job{int(job):05d}/slurm_script"
         for process in Path("/proc").iterdir():
-            try:
-                words = (process / "cmdline").read_bytes()
-            except OSError:
-                continue
-            if script in words and str(self.folder).encode() in words:
-                os.kill(int(process.name), signal.SIGUSR2)
+            words = content(process / "cmdline")
+            if script in words and str(self.folder) in words:
+                signal_to(process.name, signal.SIGUSR2)
 
     def processes(self, **variables):
         """Those of this cluster's jobs whose environment says so, as folders of /proc."""
-        wanted = {f"{name}={value}".encode() for name, value in variables.items()}
-        wanted.add(f"SLURM_CONF={self.environment['SLURM_CONF']}".encode())
-        found = []
-        for process in Path("/proc").iterdir():
-            try:
-                if wanted <= set((process / "environ").read_bytes().split(b"\0")):
-                    found.append(process)
-            except OSError:
-                pass  # It is none, or has ended.
-        return found
+        wanted = {f"{name}={value}" for name, value in variables.items()}
+        wanted.add(f"SLURM_CONF={self.environment['SLURM_CONF']}")
+        return [process for process in Path("/proc").iterdir()
+                if wanted <= set(content(process / "environ").split("\0"))]
 
     @staticmethod
     def wait(is_so, what, seconds=180):
