@@ -111,6 +111,7 @@ set(private_headers
   integrators/wave/metals-inl.h
   integrators/wave/patches-inl.h
   integrators/wave/path_wave.h
+  integrators/wave/receivers-inl.h
   integrators/wave/requests.h
   integrators/wave/scatter-inl.h
   integrators/wave/shape_table.h

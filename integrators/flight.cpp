@@ -46,6 +46,7 @@ bool Flight::ends_within(const Interior& medium, const MediumColumn& column) {
 }
 
 Rgb Flight::weight() const {
+  if (!has_begun_) return {1, 1, 1};
   if (!has_ended_) return left_ / sum_of(chance_ * left_);
   return medium_.scattering * left_ / sum_of(chance_ * medium_.extinction() * left_);
 }

@@ -34,6 +34,12 @@ void Passages::pass(Tracer& tracer, Way& way, RayKind kind) const {
 
 void Passages::follow(Tracer& tracer, Way& way) const { pass(tracer, way, RayKind::bounce); }
 
+Rgb Passages::follow_to_end(Tracer& tracer, Way& way) const {
+  follow(tracer, way);
+  if (!way.is_scattered) way.goes_on(scene_, way.hit.t);
+  return way.weight();
+}
+
 Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const {
   Way way{shadow_ray, tracer.hit(shadow_ray, RayKind::shadow), interiors};
   pass(tracer, way, RayKind::shadow);

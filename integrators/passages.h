@@ -23,6 +23,9 @@ class Passages {
   /// Follows a ray of a path through all passages, to the first surface that is there, or to none; to the
   /// passage before which it is scattered, if any.
   void follow(Tracer& tracer, Way& way) const;
+  /// Follows a ray of a path to its end: to the first surface that is there, to none, or to where a medium
+  /// scatters the path. What there is of the path's throughput there, relative to where the ray began.
+  Rgb follow_to_end(Tracer& tracer, Way& way) const;
   /// What comes along a shadow ray that starts in these interiors.
   Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const;
 

@@ -24,11 +24,6 @@ Wave& arrays_of_this_thread() {
   return *wave;
 }
 
-/// Whether waves do not know what light does in or below a scene's surfaces.
-bool needs_reference(std::span<const Material> materials) {
-  return has_flights(materials) || std::any_of(materials.begin(), materials.end(), has_subsurface);
-}
-
 }  // namespace
 
 /// What waves of this scene and these options share.
@@ -36,12 +31,14 @@ class PathIntegrator::Waves {
  public:
   Waves(const Scene& scene, const PathOptions& options, const std::string& simd)
       : reference(scene, options),
-        stages(needs_reference(scene.materials) ? std::nullopt : wave_stages_of(simd)),
+        stages(wave_stages_of(simd)),
         options_(options),
         shapes_(shape_table(scene)),
         patches_(patch_tables(scene, reference.transport().lights)),
         lamps_(lamp_table(scene, reference.transport().lights)),
         has_interiors_(std::any_of(scene.materials.begin(), scene.materials.end(), has_interior)),
+        has_flights_(has_flights(scene.materials)),
+        has_bodies_(std::any_of(scene.materials.begin(), scene.materials.end(), has_subsurface)),
         has_environment_(has_environment(scene)),
         exceeds_cache_(exceeds_cache(*scene.geometry)),
         has_second_uvs_(has_second_uvs(scene)),
@@ -51,11 +48,14 @@ class PathIntegrator::Waves {
     return {.stages = *stages,
             .options = options_,
             .transport = reference.transport(),
+            .passages = reference.passages(),
             .bsdfs = reference.bsdfs(),
             .shapes = shapes_,
             .patches = patches_,
             .lamps = lamps_,
             .has_interiors = has_interiors_,
+            .has_flights = has_flights_,
+            .has_bodies = has_bodies_,
             .has_environment = has_environment_,
             .prefetches = exceeds_cache_,
             .has_second_uvs = has_second_uvs_,
@@ -70,7 +70,7 @@ class PathIntegrator::Waves {
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
   const std::vector<Lamp> lamps_;
-  const bool has_interiors_, has_environment_, exceeds_cache_, has_second_uvs_, has_placed_textures_;
+  const bool has_interiors_, has_flights_, has_bodies_, has_environment_, exceeds_cache_, has_second_uvs_, has_placed_textures_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/path_reference.h"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "core/spawn_ray.h"
-#include "core/subsurface.h"
+#include "integrators/emergence.h"
 #include "integrators/layer_records.h"
 #include "integrators/scattering.h"
-#include "integrators/walk_below.h"
+#include "integrators/seen_point.h"
 
 namespace twinray {
-namespace {
-
-Rgb at_least(const Rgb& color, float least) {
-  return {std::max(color.r, least), std::max(color.g, least), std::max(color.b, least)};
-}
-
-}  // namespace
 
 PathReference::PathReference(const Scene& scene, const PathOptions& options)
     : scene_(scene),
@@ -100,20 +89,17 @@ PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampl
                                       const Hit& hit) const {
   Way way{path.ray, hit, path.viewing.interiors};
   if (has_flights_) way.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
-  if (passages_.is_one(hit)) passages_.follow(tracer, way);
-  const Rgb passed = std::exchange(way.left, {1, 1, 1});
-  if (!way.is_scattered) way.goes_on(scene_, way.hit.t);
-  const Rgb left = way.weight();
+  const Rgb left = passages_.follow_to_end(tracer, way);
   path.ray = way.ray;
   path.viewing.interiors = way.interiors;
-  path.throughput = path.throughput * passed * left;
+  path.throughput = path.throughput * left;
   End end{way.hit, {}};
   if (way.is_scattered) {
     end = {Hit{}, way.scattered_at()};
     path.cone = path.cone.at(way.t_scattered() * length(way.ray.direction));
   }
   tracer.observer().arrived(
-      {way.ray, end.hit, path.throughput, passed * left, way.flight && way.flight->has_begun()});
+      {way.ray, end.hit, path.throughput, left, way.flight && way.flight->has_begun()});
   return end;
 }
 
@@ -150,34 +136,16 @@ LightTerm PathReference::term(const Rgb& throughput, const Rgb& light, int depth
 Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, State& path) const {
   const Vec3 wo = -normalize(path.ray.direction);
   if (end.in_medium) return Interaction::in_medium(scene_, *end.in_medium, wo, path.viewing);
-  Interaction at(bsdfs_, arrive_at(end.hit, sampler, path), wo, path.viewing);
-  if (goes_below(at)) at.keep_above();
+  const SurfacePoint point = seen_point(scene_, end.hit, path.ray.direction, sampler, path.cone);
+  Interaction at(bsdfs_, point, wo, path.viewing);
+  if (goes_below(scene_, at)) at.keep_above();
   return at;
-}
-
-bool PathReference::goes_below(const Interaction& at) const {
-  const Material& material = scene_.materials[at.material()];
-  if (!has_subsurface(material)) return false;
-  if (max_component(material.subsurface.radius) < least_radius * at.point().offset) return false;
-  if (at.side() == Side::outside) return true;
-  // Nothing but a walk gets into a body that is opaque: mostly its surface is turned inside out.
-  const ShapeBinding& binding = scene_.bindings[at.point().shape];
-  return binding.material == at.material() && binding.alpha == no_texture && !lets_light_in(material);
 }
 
 std::optional<Interaction> PathReference::emerge(const Interaction& from, const WalkDraws& draws,
                                                  Tracer& tracer, State& path) const {
-  const SurfacePoint& in = from.point();
-  const std::uint32_t material = from.material(), body = scene_.bindings[in.shape].material;
-  Subsurface below = scene_.materials[material].subsurface;
-  below.radius = at_least(below.radius, least_radius * in.offset);
-  // The way to the ray's origin, as steep as it mostly is.
-  const float cosine = std::fabs(dot(in.geometric_normal, path.ray.direction));
-  const Rgb reflectance = from.reflectance_below();
-  WalkStart start{path.ray, in.offset / std::max(cosine, 0.25f), path.viewing.interiors};
-  if (from.side() == Side::inside) start.left_if_open = reflectance;
-  const auto end =
-      walk_below(scene_, tracer, medium_below(below, reflectance), body, start, path.throughput, draws);
+  const auto end = walk_below(
+      tracer, walk_from(scene_, from, path.ray, path.viewing.interiors, path.throughput, draws));
   if (!end) return std::nullopt;
   path.ray = end->ray;
   path.throughput = path.throughput * end->left;
@@ -189,27 +157,10 @@ std::optional<Interaction> PathReference::emerge(const Interaction& from, const 
                              .transmittance = end->left,
                              .is_flight = true,
                              .events_below = end->events});
-  const bool is_back = end->hit.is_miss();
-  const auto emerged =
-      Interaction::emerging(bsdfs_, is_back ? in : arrive_at(end->hit, draws.at_end(), path), material,
-                            is_back ? from.wo() : normalize(path.ray.direction), path.viewing);
+  const Interaction emerged =
+      come_out(bsdfs_, from, *end, draws.at_end(), path.viewing.materials, path.cone);
   tracer.observer().stands_at(emerged, path.viewing.materials);
   return emerged;
-}
-
-SurfacePoint PathReference::arrive_at(const Hit& hit, const VertexSampler& sampler, State& path) const {
-  SurfacePoint point = surface_at(*scene_.geometry, hit);
-  if (scene_.textures.empty()) return point;
-  const Vec3& direction = path.ray.direction;
-  path.cone = path.cone.at(hit.t * length(direction));
-  const auto footprint = [&](CoordinateSet set) {
-    return texture_footprint(*scene_.geometry, hit, point, path.cone.width, direction, set);
-  };
-  point.footprint = footprint(CoordinateSet::first);
-  point.second_footprint = footprint(CoordinateSet::second);
-  point.width = section_width(point, path.cone.width, direction);
-  point.texture_draw = sampler.draw_2d(Purpose::texture);
-  return point;
 }
 
 bool PathReference::scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,

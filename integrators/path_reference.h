@@ -33,6 +33,7 @@ class PathReference final : public Integrator {
             passages_.empty() ? nullptr : &passages_};
   }
   const BsdfTable& bsdfs() const { return bsdfs_; }
+  const Passages& passages() const { return passages_; }
 
  private:
   /// A path on its way.
@@ -72,13 +73,9 @@ class PathReference final : public Integrator {
                      const RecordSpans& record) const;
   /// Where a path has come to.
   Interaction arrive(const End& end, const VertexSampler& sampler, State& path) const;
-  /// Whether some of the light there goes below the surface.
-  bool goes_below(const Interaction& at) const;
-  /// Where a path comes out that goes below the surface there; none where it does not.
+  /// Where a path comes out that goes below the surface there; none where it is absorbed.
   std::optional<Interaction> emerge(const Interaction& from, const WalkDraws& draws, Tracer& tracer,
                                     State& path) const;
-  /// Likewise a surface, and there its cone and what textures need to know of it.
-  SurfacePoint arrive_at(const Hit& hit, const VertexSampler& sampler, State& path) const;
   /// Chooses where the path goes on from its vertex `depth`; false where it ends.
   bool scatter(const Interaction& at, int depth, const VertexSampler& sampler, State& path,
                PathObserver& observer) const;

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/frame.h"
-#include "core/phase_function.h"
 #include "core/spawn_ray.h"
 #include "core/surface.h"
 #include "core/surface_model.h"
@@ -41,47 +40,67 @@ void pass(const Scene& scene, const SurfacePoint& point, WalkEnd& walk) {
 
 }  // namespace
 
-std::optional<WalkEnd> walk_below(const Scene& scene, Tracer& tracer, const Interior& medium,
-                                  std::uint32_t body, const WalkStart& start, const Rgb& throughput,
-                                  const WalkDraws& draws) {
-  const PhaseFunction phase(medium.anisotropy);
-  WalkEnd walk{.ray = start.into, .left = {1, 1, 1}, .interiors = start.interiors};
-  float before = start.way;
-  for (std::uint32_t step = 0; step < WalkDraws::most_steps; ++step) {
-    const VertexSampler sampler = draws.at(step);
-    walk.hit = tracer.bounce_hit(walk.ray);
-    if (step == 0 && walk.hit.is_miss() && start.left_if_open) {
-      walk.left = *start.left_if_open;
-      return walk;
-    }
-    Flight flight(throughput * walk.left, sampler.draw_1d(Purpose::medium));
-    // The medium is even, so it is the same wherever the way begins.
-    const Ray whole{.direction = walk.ray.direction};
-    const bool is_scattered =
-        flight.ends_within(medium, MediumColumn(scene, medium, whole, before + walk.hit.t));
-    walk.left = walk.left * flight.weight();
-    if (is_black(throughput * walk.left)) return std::nullopt;
-    if (is_scattered) {
-      ++walk.events;
-      const Vec3& direction = walk.ray.direction;
-      const Vec3 position = walk.ray.origin + direction * std::max(flight.distance() - before, 0.0f);
-      const Vec3 wi = Frame(-direction).to_world(phase.sample(sampler.draw_2d(Purpose::direction)));
-      walk.ray = {.origin = position, .direction = wi};
-      before = 0;
-    } else {
-      if (walk.hit.is_miss()) return std::nullopt;
-      const SurfacePoint point = surface_at(*scene.geometry, walk.hit);
-      if (scene.bindings[point.shape].material == body) return walk;
-      pass(scene, point, walk);
-      before = 0;
-    }
-    if (step >= first_roulette && !survives(sampler, walk.left)) return std::nullopt;
+WalkBelow::WalkBelow(const Scene& scene, const BodyBelow& body, const WalkStart& start, const Rgb& throughput,
+                     const WalkDraws& draws)
+    : scene_(&scene),
+      body_(body),
+      start_(start),
+      throughput_(throughput),
+      draws_(draws),
+      phase_(body.medium.anisotropy),
+      walk_{.ray = start.into, .left = {1, 1, 1}, .interiors = start.interiors},
+      before_(start.way) {}
+
+bool WalkBelow::goes_on(const Hit& hit) {
+  const VertexSampler sampler = draws_.at(step_);
+  walk_.hit = hit;
+  if (step_ == 0 && hit.is_miss() && start_.left_if_open) {
+    walk_.left = *start_.left_if_open;
+    return comes_out();
   }
-  walk.hit = Hit{};
-  walk.interiors = start.interiors;
-  walk.left = walk.left * walk.eta_squared;
-  walk.eta_squared = 1;
-  return walk;
+  Flight flight(throughput_ * walk_.left, sampler.draw_1d(Purpose::medium));
+  // The medium is even, so it is the same wherever the way begins.
+  const Ray whole{.direction = walk_.ray.direction};
+  const bool is_scattered =
+      flight.ends_within(body_.medium, MediumColumn(*scene_, body_.medium, whole, before_ + hit.t));
+  walk_.left = walk_.left * flight.weight();
+  if (is_black(throughput_ * walk_.left)) return false;
+  if (is_scattered) {
+    scatter(std::max(flight.distance() - before_, 0.0f), sampler.draw_2d(Purpose::direction));
+  } else {
+    if (hit.is_miss()) return false;
+    const SurfacePoint point = surface_at(*scene_->geometry, hit);
+    if (scene_->bindings[point.shape].material == body_.material) return comes_out();
+    pass(*scene_, point, walk_);
+  }
+  before_ = 0;
+  if (step_ >= first_roulette && !survives(sampler, walk_.left)) return false;
+  return ++step_ < WalkDraws::most_steps || comes_back();
+}
+
+void WalkBelow::scatter(float distance, Vec2 u) {
+  ++walk_.events;
+  const Ray before = walk_.ray;
+  walk_.ray = {.origin = before.origin + before.direction * distance,
+               .direction = Frame(-before.direction).to_world(phase_.sample(u))};
+}
+
+bool WalkBelow::comes_out() {
+  end_ = walk_;
+  return false;
+}
+
+bool WalkBelow::comes_back() {
+  walk_.hit = Hit{};
+  walk_.interiors = start_.interiors;
+  walk_.left = walk_.left * walk_.eta_squared;
+  walk_.eta_squared = 1;
+  return comes_out();
+}
+
+std::optional<WalkEnd> walk_below(Tracer& tracer, WalkBelow walk) {
+  while (walk.goes_on(tracer.bounce_hit(walk.ray()))) continue;
+  return walk.end();
 }
 
 }  // namespace twinray

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/interiors.h"
+#include "core/phase_function.h"
 #include "core/sampler.h"
 #include "core/scene.h"
 #include "integrators/tracer.h"
@@ -56,12 +57,48 @@ struct WalkEnd {
 /// further below is reflected where it is, else rounding would decide where a walk comes out.
 inline constexpr float least_radius = 64;
 
-/// Follows a ray into the body of a shape, whose medium is even, until it hits a surface of the body's
-/// material again. Other surfaces within are passed straight on: what lies behind those that let light in is
-/// around the body where the walk comes out there. None where it is absorbed. `body` is an index into the
-/// scene's materials, as the shape has it.
-std::optional<WalkEnd> walk_below(const Scene& scene, Tracer& tracer, const Interior& medium,
-                                  std::uint32_t body, const WalkStart& start, const Rgb& throughput,
-                                  const WalkDraws& draws);
+/// What a walk is in.
+struct BodyBelow {
+  Interior medium;             ///< Even.
+  std::uint32_t material = 0;  ///< Of the body's surfaces: an index into the scene's materials, as shapes have it.
+};
+
+/// The walk of a path in a body, ray by ray, until it hits a surface of the body again. Other surfaces within
+/// are passed straight on: what lies behind those that let light in is around the body where the walk comes
+/// out there.
+class WalkBelow {
+ public:
+  /// The scene must outlive it. `throughput` is that of the path where the walk begins.
+  WalkBelow(const Scene& scene, const BodyBelow& body, const WalkStart& start, const Rgb& throughput,
+            const WalkDraws& draws);
+
+  /// Along which the walk goes on: what it hits is asked for next.
+  const Ray& ray() const { return walk_.ray; }
+  /// Goes on by what that ray hits; false where the walk ends.
+  bool goes_on(const Hit& hit);
+  /// Where the walk has come out; none while it goes on, and where it was absorbed.
+  const std::optional<WalkEnd>& end() const { return end_; }
+
+ private:
+  /// False: so the walk ends.
+  bool comes_out();
+  bool comes_back();
+  /// To where the path is scattered, `distance` behind the ray's beginning.
+  void scatter(float distance, Vec2 u);
+
+  const Scene* scene_;
+  BodyBelow body_;
+  WalkStart start_;
+  Rgb throughput_;
+  WalkDraws draws_;
+  PhaseFunction phase_;
+  WalkEnd walk_;
+  std::optional<WalkEnd> end_;
+  float before_;  ///< Of the way in the body, what is before the ray's beginning.
+  std::uint32_t step_ = 0;
+};
+
+/// A walk to its end.
+std::optional<WalkEnd> walk_below(Tracer& tracer, WalkBelow walk);
 
 }  // namespace twinray

@@ -40,11 +40,11 @@ HWY_ATTR HWY_INLINE LaneMask emits(const SideLanes& side, Lanes cos_front) {
 
 /// The density of the corners over a lamp: PatchWeights of one patch.
 HWY_ATTR HWY_INLINE CornerLanes weigh_corners(const Lamp& lamp, const Fetch& fetch, const SideLanes& side,
-                                              Lanes share, const Lanes3& position, const Lanes3& normal) {
+                                              Lanes share, const ReceiverLanes& receivers) {
   const Lanes3 emitter = fetch.vector(lamp.normal);
   CornerLanes weights;
   for (std::size_t k = 0; k < 4; ++k)
-    weights.at[k] = corner_weight(position, normal, fetch.vector(lamp.corners[k]), emitter, side);
+    weights.at[k] = corner_weight(receivers, fetch.vector(lamp.corners[k]), emitter, side);
   normalise(weights, probability(share, weights));
   return weights;
 }
@@ -99,8 +99,7 @@ HWY_ATTR void sample_lamps(std::span<const Lamp> lamps, const LightPicks& picks,
     const Fetch fetch(load(picks.light, i), sizeof(Lamp));
     const SideLanes side = side_lanes(fetch.word(lamp.side));
     const Lanes share = fetch.number(lamp.share);
-    const CornerLanes weights =
-        weigh_corners(lamp, fetch, side, share, load(surfaces.point.position, i), load(surfaces.shading, i));
+    const CornerLanes weights = weigh_corners(lamp, fetch, side, share, load_receivers(surfaces, i));
     const Lanes own = probability(share, weights);
     const Lanes within = hn::Div(hn::Mul(load(samples.ux, i), own), own);
     const SquareLanes square = choose_in_square({within_unit(within), weights}, load(samples.uy, i));

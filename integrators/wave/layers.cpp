@@ -21,6 +21,7 @@ void PathWave::record_surfaces() {
     const std::span<Rgb> column = records_[layer];
     if (column.empty()) return;
     for (std::size_t i = 0; i < paths_.size; ++i) {
+      if (is_in_medium(i)) continue;
       const Vec3 normal = surfaces_.point.normal.at(i) * surfaces_.facing[i];
       column[paths_.sample[i]] = value({wave_.hits[i], surfaces_.point.position.at(i), normal});
     }
@@ -39,7 +40,9 @@ void PathWave::record_features() {
     return albedo_record(
         {paths_.throughput.at<Rgb>(i), paths_.eta_squared[i], surfaces_.reflectance.at<Rgb>(i)});
   });
-  record(Layer::normal, [&](std::size_t i) { return vector_record(surfaces_.shading.at(i)); });
+  record(Layer::normal, [&](std::size_t i) {
+    return vector_record(is_in_medium(i) ? surfaces_.point.normal.at(i) : surfaces_.shading.at(i));
+  });
 }
 
 void PathWave::follow_mirrors() {

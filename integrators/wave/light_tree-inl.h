@@ -11,16 +11,10 @@
 #include "core/light_tree.h"
 #include "integrators/wave/double_lanes-inl.h"
 #include "integrators/wave/fetch-inl.h"
-#include "integrators/wave/wave.h"
+#include "integrators/wave/receivers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
-
-/// Receivers.
-struct ReceiverLanes {
-  Lanes3 position, normal;
-  LaneMask lets_light_through;
-};
 
 /// The functions of core/light_tree.cpp.
 HWY_ATTR HWY_INLINE Lanes cos_less(Lanes sin_a, Lanes cos_a, Lanes sin_b, Lanes cos_b) {
@@ -54,7 +48,7 @@ HWY_ATTR HWY_INLINE Lanes importance(std::span<const LightTree::Node> nodes, Wor
   const Lanes sin_beyond = sin_less(sin_axis, cos_axis, sin_normals, cos_normals);
   const Lanes cos_least = cos_less(sin_beyond, cos_beyond, sin_box, cos_box);
 
-  const Lanes cos_normal = dot(receiver.normal, direction);
+  const Lanes cos_normal = select(receiver.is_in_medium, splat(1), dot(receiver.normal, direction));
   const Lanes cos_receiver = select(receiver.lets_light_through, hn::Abs(cos_normal), cos_normal);
   const Lanes cos_at_best =
       hn::Add(cos_less(sine_of(cos_receiver), cos_receiver, sin_box, cos_box), splat(LightNode::slack));
@@ -148,9 +142,7 @@ HWY_ATTR void choose_lights(const LightSet::Group& group, const Surfaces& surfac
     store(hn::Zero(WordTag()), picks.light, i);
     store(splat(0), picks.probability, i);
     if (nodes.empty()) continue;
-    const ReceiverLanes receiver{
-        load(surfaces.point.position, i), load(surfaces.shading, i),
-        hn::RebindMask(FloatTag(), hn::Ne(load(surfaces.lets_through, i), hn::Zero(WordTag())))};
+    const ReceiverLanes receiver = load_receivers(surfaces, i);
     const DrawLanes draw(load(u, i), load(picks.finer, i));
     const LeafLanes leaf = pick(group.tree, receiver, draw, within(i, size));
     const auto is_picked = hn::RebindMask(WordTag(), is_positive(leaf.probability));

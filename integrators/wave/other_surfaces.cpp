@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/spawn_ray.h"
+#include "integrators/emergence.h"
 #include "integrators/scattering.h"
 #include "integrators/wave/path_wave.h"
 
@@ -16,7 +17,11 @@ void PathWave::for_each_lobe(F&& f) {
   f(wave_.rough_conductor, stages_.rough_conductor);
 }
 
-bool PathWave::is_listed(const OtherSurface& other) {
+bool PathWave::is_listed(OtherSurface& other) {
+  if (context_.has_bodies && goes_below(context_.transport.scene, other.at)) {
+    other.at.keep_above();
+    return false;
+  }
   const Bsdf& bsdf = other.at.bsdf();
   if (other.at.is_mapped()) return false;
   const auto* const lobe = bsdf.as<CoatedDiffuseLobe>();
@@ -38,8 +43,12 @@ void PathWave::find_others() {
     const Hit& hit = wave_.hits[i];
     if (context_.shapes[hit.mesh].is_lambert) continue;
     const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
-    wave_.others.emplace_back(i, context_.bsdfs, found_surface(i), -normalize(paths_.direction.at(i)),
-                              viewing);
+    const Vec3 wo = -normalize(paths_.direction.at(i));
+    if (is_in_medium(i))
+      wave_.others.emplace_back(i, Interaction::in_medium(context_.transport.scene, surfaces_.point.position.at(i),
+                                                          wo, viewing));
+    else
+      wave_.others.emplace_back(i, context_.bsdfs, found_surface(i), wo, viewing);
     if (!is_listed(wave_.others.back())) wave_.alone.push_back(std::uint32_t(wave_.others.size() - 1));
   }
 }
@@ -67,10 +76,16 @@ SurfacePoint PathWave::found_surface(std::size_t i) const {
 void PathWave::show_others() {
   std::fill_n(surfaces_.lets_through.values, paths_.size, 0u);
   for (const OtherSurface& other : wave_.others) {
-    surfaces_.reflectance.set(other.index, other.at.bsdf().albedo());
-    surfaces_.shading.set(other.index, other.at.normal());
-    surfaces_.lets_through[other.index] = other.at.receiver().lets_light_through ? 1 : 0;
+    surfaces_.reflectance.set(other.index, other.at.albedo());
+    show_receiver(other);
   }
+}
+
+void PathWave::show_receiver(const OtherSurface& other) {
+  const Receiver receiver = other.at.receiver();
+  surfaces_.point.position.set(other.index, receiver.position);
+  surfaces_.shading.set(other.index, receiver.normal);
+  surfaces_.lets_through[other.index] = receiver.lets_light_through ? 1 : 0;
 }
 
 void PathWave::scatter_light_at_lobes(const MisRequest& mis) {
@@ -142,6 +157,7 @@ void PathWave::scatter_at_lobes() {
 }
 
 void PathWave::scatter_at_others() {
+  wave_.walks.clear();
   if (wave_.others.empty()) return;
   draw(Purpose::lobe, {}, wave_.unused, wave_.lobe);
   scatter_at_lobes();
@@ -150,16 +166,25 @@ void PathWave::scatter_at_others() {
     const std::size_t i = other.index;
     const Vec2 u{wave_.ux[i], wave_.uy[i]};
     const auto next = twinray::scatter(other.at, other.throughput, wave_.lobe[i], u);
-    paths_.throughput.set(i, next ? next->throughput : Rgb{});
+    paths_.throughput.set(i, Rgb{});
     if (!next) continue;
-    paths_.direction.set(i, next->direction);
-    if (context_.has_interiors) paths_.interiors.set(i, next->interiors.bits());
-    paths_.eta_squared[i] *= next->eta * next->eta;
-    wave_.kind[i] = std::uint32_t(next->kind);
-    wave_.pdf[i] = next->departure.pdf;
-    wave_.seeking[i] = std::uint32_t(next->departure.seeking);
-    wave_.origin.set(i, leave_surface(other.at.point(), next->direction));
+    if (next->is_below)
+      go_below(n, *next);
+    else
+      go_on(other, *next);
   }
+}
+
+void PathWave::go_on(const OtherSurface& other, const Scattering& next) {
+  const std::size_t i = other.index;
+  paths_.throughput.set(i, next.throughput);
+  paths_.direction.set(i, next.direction);
+  if (context_.has_interiors) paths_.interiors.set(i, next.interiors.bits());
+  paths_.eta_squared[i] *= next.eta * next.eta;
+  wave_.kind[i] = std::uint32_t(next.kind);
+  wave_.pdf[i] = next.departure.pdf;
+  wave_.seeking[i] = std::uint32_t(next.departure.seeking);
+  wave_.origin.set(i, leave_surface(other.at.point(), next.direction));
 }
 
 }  // namespace twinray

@@ -8,9 +8,8 @@
 #define TWINRAY_WAVE_PATCHES_INL_H
 #endif
 
-#include "integrators/wave/lanes-inl.h"
+#include "integrators/wave/receivers-inl.h"
 #include "integrators/wave/requests.h"
-#include "integrators/wave/wave.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace twinray::HWY_NAMESPACE {
@@ -31,12 +30,12 @@ HWY_ATTR HWY_INLINE Lanes emitted(EmissionSide side, Lanes front) {
 
 /// Side: an EmissionSide, or one of each lane.
 template <typename Side>
-HWY_ATTR HWY_INLINE Lanes corner_weight(const Lanes3& position, const Lanes3& normal, const Lanes3& corner,
+HWY_ATTR HWY_INLINE Lanes corner_weight(const ReceiverLanes& receivers, const Lanes3& corner,
                                         const Lanes3& emitter, const Side& side) {
-  const Lanes3 between = corner - position;
+  const Lanes3 between = corner - receivers.position;
   const Lanes squared = dot(between, between);
   const Lanes front = hn::Neg(dot(emitter, between));
-  return hn::Mul(hn::Div(positive(dot(normal, between)), squared), hn::Div(emitted(side, front), squared));
+  return hn::Mul(hn::Div(positive(facing(receivers, between)), squared), hn::Div(emitted(side, front), squared));
 }
 
 /// That a patch of this share is chosen.
@@ -57,14 +56,14 @@ HWY_ATTR HWY_INLINE void normalise(CornerLanes& weights, Lanes mean) {
 }
 
 /// The constructor of PatchWeights.
-HWY_ATTR HWY_INLINE void weigh_corners(const PatchLight& light, const Lanes3& position, const Lanes3& normal,
+HWY_ATTR HWY_INLINE void weigh_corners(const PatchLight& light, const ReceiverLanes& receivers,
                                        CornerLanes* weights) {
   Lanes mean = hn::Zero(FloatTag());
   for (std::size_t i = 0; i < light.patches.size(); ++i) {
     const LightPatch& patch = light.patches[i];
     const Lanes3 emitter = splat(patch.normal);
     for (std::size_t k = 0; k < 4; ++k)
-      weights[i].at[k] = corner_weight(position, normal, splat(patch.corners[k]), emitter, light.side);
+      weights[i].at[k] = corner_weight(receivers, splat(patch.corners[k]), emitter, light.side);
     mean = hn::Add(mean, probability(patch, weights[i]));
   }
   for (std::size_t i = 0; i < light.patches.size(); ++i) normalise(weights[i], mean);
@@ -177,7 +176,7 @@ HWY_ATTR void weigh_patches(const PatchLight& light, const Surfaces& surfaces, s
                             PatchCorners& corners) {
   CornerLanes weights[PatchLight::most];
   for (std::size_t i = 0; i < size; i += lane_count) {
-    weigh_corners(light, load(surfaces.point.position, i), load(surfaces.shading, i), weights);
+    weigh_corners(light, load_receivers(surfaces, i), weights);
     for (std::size_t patch = 0; patch < light.patches.size(); ++patch)
       for (std::size_t k = 0; k < 4; ++k) store(weights[patch].at[k], corners.weights[patch][k], i);
   }

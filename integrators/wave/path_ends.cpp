@@ -14,6 +14,8 @@ void PathWave::drop_ended() {
   }
   if (kept == paths_.size) return;
   for (std::size_t k = 0; k < kept; ++k) wave_.hits[k] = wave_.hits[wave_.kept[k]];
+  if (context_.has_flights)
+    for (std::size_t k = 0; k < kept; ++k) wave_.rays[k] = wave_.rays[wave_.kept[k]];
   compact(kept);
 }
 
@@ -35,6 +37,7 @@ std::size_t PathWave::keep_light_seekers(std::size_t kept, bool is_last) {
 std::size_t PathWave::play_roulette(std::size_t kept) {
   const Roulette& roulette = context_.options.roulette;
   draw(Purpose::roulette, {}, wave_.ux, wave_.uy);
+  draw_roulette_of_walks();
   std::size_t surviving = 0;
   for (std::size_t k = 0; k < kept; ++k) {
     const std::size_t i = wave_.kept[k];

@@ -39,11 +39,10 @@ void PathWave::trace() {
   const std::span<const Ray> rays(wave_.rays);
   const std::span<Hit> hits(wave_.hits);
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
-  if (context_.transport.passages) pass_on();
+  fly(0);
   record_coverage();
   for (;; ++depth_) {
     tracer_.arrive();
-    if (context_.has_interiors) absorb();
     if (context_.options.counts(depth_)) depth_ == 0 ? add_emission() : add_found_light();
     const bool has_ended = depth_ >= context_.options.depth_limit();
     if (has_ended && !(depth_ == 0 && records_.has_layers())) return;
@@ -57,7 +56,7 @@ void PathWave::trace() {
     const bool is_last = depth_ + 1 >= context_.options.depth_limit();
     if ((is_last && !may_find_light()) || !scatter(is_last)) return;
     tracer_.bounce_hits(rays.first(paths_.size), hits.first(paths_.size));
-    if (context_.transport.passages) pass_on();
+    fly(std::uint32_t(depth_) + 1);
   }
 }
 
@@ -81,24 +80,20 @@ void PathWave::start() {
   }
 }
 
-void PathWave::pass_on() {
-  const Passages& passages = *context_.transport.passages;
+void PathWave::fly(std::uint32_t vertex) {
+  if (!context_.has_interiors && context_.passages.empty()) return;
+  if (context_.has_flights) draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.unused);
   for (std::size_t i = 0; i < paths_.size; ++i) {
-    if (!passages.is_one(wave_.hits[i])) continue;
-    Way way{wave_.rays[i], wave_.hits[i], paths_.interiors_at(i)};
-    passages.follow(tracer_, way);
-    wave_.rays[i] = way.ray, wave_.hits[i] = way.hit;
+    const Interiors interiors = paths_.interiors_at(i);
+    if (interiors.empty() && !context_.passages.is_one(wave_.hits[i])) continue;
+    const Rgb throughput = paths_.throughput.at<Rgb>(i);
+    Way way{wave_.rays[i], wave_.hits[i], interiors};
+    if (context_.has_flights) way.flight.emplace(throughput, wave_.flight[i]);
+    paths_.throughput.set(i, throughput * context_.passages.follow_to_end(tracer_, way));
     paths_.interiors.set(i, way.interiors.bits());
-    paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * way.left);
+    wave_.rays[i] = way.ray;
+    wave_.hits[i] = way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit;
   }
-}
-
-void PathWave::absorb() {
-  for (std::size_t i = 0; i < paths_.size; ++i)
-    if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
-      paths_.throughput.set(
-          i, paths_.throughput.at<Rgb>(i) *
-                 transmittance(context_.transport.scene, interiors, wave_.rays[i], wave_.hits[i].t));
 }
 
 Departure PathWave::departure_from(std::size_t surface) const {
@@ -202,10 +197,22 @@ void PathWave::expand_hits() {
   }
 }
 
+namespace {
+
+SurfacePoint point_in_medium(const Ray& ray, float t) {
+  SurfacePoint point;
+  point.position = ray.origin + ray.direction * t;
+  point.geometric_normal = point.shading_normal = -normalize(ray.direction);
+  return point;
+}
+
+}  // namespace
+
 void PathWave::place_others() {
   const Geometry& geometry = *context_.transport.scene.geometry;
   for (const std::uint32_t i : wave_.placed_alone) {
-    const SurfacePoint point = surface_at(geometry, wave_.hits[i]);
+    const SurfacePoint point =
+        is_in_medium(i) ? point_in_medium(wave_.rays[i], wave_.hits[i].t) : surface_at(geometry, wave_.hits[i]);
     surfaces_.point.position.set(i, point.position);
     surfaces_.point.normal.set(i, point.geometric_normal);
     surfaces_.point.offset[i] = point.offset;
@@ -236,7 +243,11 @@ void PathWave::add_lights() {
 }
 
 void PathWave::draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y) {
-  DrawPlace place = place_of(purpose, std::uint32_t(depth_) + 1);
+  draw_at(std::uint32_t(depth_) + 1, purpose, sub, x, y);
+}
+
+void PathWave::draw_at(std::uint32_t vertex, Purpose purpose, const SubSample& sub, Floats& x, Floats& y) {
+  DrawPlace place = place_of(purpose, vertex);
   place.member -= place.member % 2;
   stages_.draw(paths_.pixel, paths_.index, paths_.size, {kind_, place, sub}, x, y);
 }
@@ -415,6 +426,7 @@ bool PathWave::scatter(bool is_last) {
   const bool has_limits = context_.options.limits.are_any();
   if (has_limits) std::fill_n(wave_.kind.values, paths_.size, std::uint32_t(ScatterKind::diffuse));
   scatter_at_others();
+  if (!wave_.walks.empty()) walk();
   if (records_.has(Layer::albedo) || records_.has(Layer::normal)) follow_mirrors();
   if (has_light_paths_ && depth_ == 0) keep_first_scattering();
   if (has_limits) count_bounces();

@@ -20,15 +20,21 @@ struct WaveContext {
   const WaveStages& stages;
   const PathOptions& options;
   LightTransport transport;
+  const Passages& passages;  ///< Of the scene; those of `transport`, if there are any.
   const BsdfTable& bsdfs;
-  std::span<const ShapeEntry> shapes;
+  std::span<const ShapeEntry> shapes;  ///< shape_table().
   std::span<const PatchTable> patches;  ///< Of each light.
   std::span<const Lamp> lamps;          ///< Likewise, where there are groups of lights.
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
+  bool has_flights = false;             ///< Of the scene: media scatter paths,
+  bool has_bodies = false;              ///< or surfaces let them into bodies below.
   bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
   bool prefetches = true;               ///< Its surfaces do not stay in a cache.
   bool has_second_uvs = false;          ///< Of the scene: some textures may go by them,
   bool has_placed_textures = false;     ///< and some by the points of the scene.
+
+  /// The shape that hits are of where media have scattered paths.
+  std::uint32_t medium() const { return std::uint32_t(shapes.size()) - 1; }
 };
 
 /// The paths of up to wave_size samples, grown together vertex by vertex: all of them to their next surfaces,
@@ -58,10 +64,9 @@ class PathWave {
   void add_found_beyond(std::span<const std::uint32_t> escaped);
   /// and one of them.
   void add_found(std::size_t k, const Arrival& arrival);
-  /// Follows rays on through what is not there.
-  void pass_on();
-  /// Takes from the paths what interiors absorb on the way to the hits.
-  void absorb();
+  /// Follows rays from this vertex to their ends, through what is not there, and takes from the paths what
+  /// media keep on the way. Where media scatter paths, their hits are of the shape medium().
+  void fly(std::uint32_t vertex);
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
   void absorb_light();
   /// Takes the paths out that have hit nothing, and those that are scattered no more.
@@ -115,13 +120,14 @@ class PathWave {
   void find_coordinates(std::size_t i, CoordinateSet set, float& u, float& v, float& footprint) const;
   /// Of Lambert surfaces with textures.
   void find_textured_reflectances();
-  /// Whether lanes do not find the point of a hit: of a sphere, or of an instance.
+  bool is_in_medium(std::size_t i) const { return wave_.hits[i].mesh == context_.medium(); }
+  /// Whether lanes do not find the point of a hit: of a sphere, of an instance, or in a medium.
   bool is_placed_alone(const Hit& hit) const {
     return !context_.shapes[hit.mesh].positions || hit.instance != no_instance;
   }
   void place_others();
-  /// Surfaces that are not Lambert's (integrators/wave/other_surfaces.cpp), in lanes where these know their
-  /// lobes, else alone: finds them before their normals are turned to the viewer,
+  /// Surfaces that are not Lambert's, and points in media (integrators/wave/other_surfaces.cpp), in lanes where
+  /// these know their lobes, else alone: finds them before their normals are turned to the viewer,
   void find_others();
   /// writes their albedos and normals,
   void show_others();
@@ -136,8 +142,20 @@ class PathWave {
   /// and chooses where these go on.
   void scatter_at_lobes();
   void scatter_at_others();
-  /// Puts a surface on the list of its lobe, if lanes know that.
-  bool is_listed(const OtherSurface& other);
+  void go_on(const OtherSurface& other, const Scattering& next);
+  // Bodies below surfaces (integrators/wave/bodies.cpp): a path goes into one,
+  void go_below(std::uint32_t other, const Scattering& next);
+  /// all walk until they come out,
+  void walk();
+  /// one does, and is scattered there like at another surface;
+  void come_out(const BodyWalk& walk);
+  /// and their draws of roulette are those of where they come out.
+  void draw_roulette_of_walks();
+  /// Puts a surface on the list of its lobe, if lanes know that; of a surface that light goes below, they do
+  /// not, and its light is from now on what stays above.
+  bool is_listed(OtherSurface& other);
+  /// Where it receives light.
+  void show_receiver(const OtherSurface& other);
   /// Calls f with each list and its stages.
   template <typename F>
   void for_each_lobe(F&& f);
@@ -146,8 +164,10 @@ class PathWave {
   void add_direct_light();
   void add_lights();
   void add_hemisphere();
-  /// The pair of draws that a purpose has, or that its one draw is in.
+  /// The pair of draws that a purpose has, or that its one draw is in: at the current vertex,
   void draw(Purpose purpose, const SubSample& sub, Floats& x, Floats& y);
+  /// or at another one.
+  void draw_at(std::uint32_t vertex, Purpose purpose, const SubSample& sub, Floats& x, Floats& y);
   void sample_light(std::uint32_t light);
   void sample_mesh_light(std::uint32_t light, const MeshLight& mesh);
   void choose_of_many(const Distribution& triangles, const ShapeEntry& shape);

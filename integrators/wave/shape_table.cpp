@@ -62,6 +62,7 @@ std::vector<ShapeEntry> shape_table(const Scene& scene) {
     }
     table.push_back(entry);
   }
+  table.push_back({.is_lambert = false});
   return table;
 }
 

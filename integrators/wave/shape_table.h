@@ -25,7 +25,8 @@ struct ShapeEntry {
   bool emits = false;
 };
 
-/// One entry for each shape of the scene, which must outlive them.
+/// One entry for each shape of the scene, which must outlive them; behind them one that points in media are
+/// of.
 std::vector<ShapeEntry> shape_table(const Scene& scene);
 
 /// Whether a mesh of it has two sets of texture coordinates, and there are textures.

@@ -18,7 +18,7 @@ void PathWave::ask_for_texels() {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     const ShapeEntry& shape = context_.shapes[hit.mesh];
-    if (!shape.textured && shape.is_lambert) continue;
+    if ((!shape.textured && shape.is_lambert) || is_in_medium(i)) continue;
     find_coordinates(i, CoordinateSet::first, wave_.texture_u[i], wave_.texture_v[i], wave_.footprint[i]);
     if (context_.has_second_uvs)
       find_coordinates(i, CoordinateSet::second, wave_.second_u[i], wave_.second_v[i],

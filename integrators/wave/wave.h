@@ -13,6 +13,7 @@
 #include "integrators/direct_light.h"
 #include "integrators/interaction.h"
 #include "integrators/wave/columns.h"
+#include "integrators/walk_below.h"
 #include "integrators/wave/lobe_surfaces.h"
 
 namespace twinray {
@@ -79,7 +80,7 @@ struct Surfaces {
   Words lets_through;    ///< 1 where light from behind counts, as a Receiver has it.
 };
 
-/// A surface that is not Lambert's: what it scatters is worked out alone, by the functions of PathReference.
+/// A surface that is not Lambert's, or a point in a medium: what it scatters is worked out alone, by the functions of PathReference.
 struct OtherSurface {
   std::uint32_t index;  ///< Among the surfaces.
   Interaction at;
@@ -90,6 +91,15 @@ struct OtherSurface {
   OtherSurface(std::size_t i, const BsdfTable& bsdfs, const SurfacePoint& point, const Vec3& wo,
                const Viewing& viewing)
       : index(std::uint32_t(i)), at(bsdfs, point, wo, viewing) {}
+  OtherSurface(std::size_t i, const Interaction& interaction) : index(std::uint32_t(i)), at(interaction) {}
+};
+
+/// A path that has gone from another surface into the body below it.
+struct BodyWalk {
+  std::uint32_t other;  ///< Among the other surfaces.
+  WalkDraws draws;
+  Rgb throughput;  ///< Of the path where the walk begins.
+  WalkBelow walk;
 };
 
 /// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.
@@ -147,10 +157,13 @@ struct Wave {
   std::vector<std::uint32_t> placed_alone;  ///< The surfaces whose points no lanes find.
   CoatedDiffuseSurfaces coated_diffuse;     ///< Those that lanes know, by their lobes.
   RoughConductorSurfaces rough_conductor;
-  Columns3 scattered_at_lobes;  ///< Of a light's sample, at a list's surfaces.
+  std::vector<BodyWalk> walks;         ///< Of the paths that have gone into bodies from their last surfaces:
+  std::vector<std::uint32_t> walking;  ///< which of them go on.
+  Columns3 scattered_at_lobes;         ///< Of a light's sample, at a list's surfaces.
   LobePaths lobe_paths;
   Floats ux, uy;        ///< Draws of a direction, or of roulette.
   Floats lobe, unused;  ///< Draws of how other surfaces scatter, and what comes with them.
+  Floats flight;        ///< Of how far paths get in media that scatter.
   // Where there are textures: where they are asked for, and draws of their pixels (TexturePoint).
   Floats texture_u, texture_v, footprint;
   Floats second_u, second_v, second_footprint;  ///< Where a mesh has a second set of coordinates.

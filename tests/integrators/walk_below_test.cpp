@@ -37,7 +37,7 @@ Walks walks_in(const Scene& scene, const Interior& medium, int count, float dept
     const Vec3 into = -square_to_cosine_hemisphere(in_square(random));
     const WalkDraws draws(SamplerKind::independent, PathKey({.index = std::uint32_t(i)}), 1);
     const WalkStart start{{.origin = {0, 0, -depth}, .direction = into}, depth / -into.z};
-    const auto end = walk_below(scene, tracer, medium, 0, start, {1, 0, 0}, draws);
+    const auto end = walk_below(tracer, {scene, {medium, 0}, start, {1, 0, 0}, draws});
     if (!end) continue;
     const bool is_up = end->hit.is_miss() || end->ray.direction.z > 0;
     walks.back += end->hit.is_miss();
