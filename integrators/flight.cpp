@@ -10,6 +10,8 @@
 namespace twinray {
 namespace {
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
 float channel_of(const Rgb& color, int channel) {
   return channel == 0 ? color.r : channel == 1 ? color.g : color.b;
 }
@@ -27,13 +29,16 @@ Flight::Flight(const Rgb& throughput, float u) : chance_(throughput / sum_of(thr
   depth_ = -log_of(1 - rest);
 }
 
+float Flight::reach(const Interior& medium) const {
+  const float own = channel_of(medium.extinction(), channel_);
+  return own >= least_extinction ? depth_ / own : infinity;
+}
+
 bool Flight::ends_within(const Interior& medium, const MediumColumn& column) {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
   has_begun_ = true;
   const Rgb extinction = medium.extinction();
   const float own = channel_of(extinction, channel_);
-  // Infinite where the channel is not dimmed.
-  const float amount = own >= least_extinction ? depth_ / own : infinity;
+  const float amount = reach(medium);
   distance_ = column.reach(amount);
   has_ended_ = distance_ < infinity;
   const float passed = has_ended_ ? amount : column.amount();

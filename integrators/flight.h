@@ -17,6 +17,9 @@ class Flight {
   /// Channels are chosen by the path's throughput where the way begins, not black. u in [0, 1).
   Flight(const Rgb& throughput, float u);
 
+  /// How much of a medium the path goes through before it is scattered, where that does not end before;
+  /// infinite where the channel is not dimmed.
+  float reach(const Interior& medium) const;
   /// Goes on through a medium that scatters. Whether the path is scattered before the column's end; then the
   /// flight ends there.
   bool ends_within(const Interior& medium, const MediumColumn& column);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <cmath>
 #include <limits>
 
 #include "core/density_grid.h"
@@ -7,6 +8,13 @@
 #include "core/scene.h"
 
 namespace twinray {
+
+/// A parameter of a ray at least so far behind its beginning as `distance`, but hardly more; infinite likewise.
+inline float t_beyond(const Ray& ray, float distance) {
+  constexpr float slack = 1 + 0x1p-20f;  // More than what rounding takes, but for the sum's.
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  return std::nextafter(ray.t_min + distance * slack / length(ray.direction), infinity);
+}
 
 /// How much of a medium lies along a stretch of a ray, from where it begins to its parameter t: its length,
 /// where the medium is even, else that times its density. The scene and the ray must outlive it.

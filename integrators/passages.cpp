@@ -28,7 +28,7 @@ void Passages::pass(Tracer& tracer, Way& way, RayKind kind) const {
     if (!way.goes_on(scene_, way.hit.t)) return;
     through.pass(way.hit, way.ray);
     way.interiors = through.interiors();
-    way.hit = passed < most_passages ? tracer.hit(way.ray, kind) : Hit{};
+    way.hit = passed < most_passages ? tracer.hit(way.needed_ray(scene_), kind) : Hit{};
   }
 }
 

@@ -37,7 +37,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
   State path{.ray = sample.ray, .cone = sample.cone};
   path.viewing.interiors = sample.interiors;
   VertexSampler sampler(kind, path_key, 0);
-  End end = fly(tracer, sampler, path, tracer.camera_hit(path.ray));
+  End end = fly(tracer, sampler, path, RayKind::camera);
   const Hit& hit = end.hit;
   if (record.has(Layer::alpha))
     record[Layer::alpha][0] = alpha_record(end.is_beyond_scene(), has_environment_);
@@ -81,14 +81,16 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     // The ray after the last surface only looks for light.
     const bool is_last = options_.ends(depth + 1, path.bounces);
     if (is_last && !may_find_light(transport, path.departure)) return radiance;
-    end = fly(tracer, sampler, path, tracer.bounce_hit(path.ray));
+    end = fly(tracer, sampler, path, RayKind::bounce);
   }
 }
 
 PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampler, State& path,
-                                      const Hit& hit) const {
-  Way way{path.ray, hit, path.viewing.interiors};
+                                      RayKind kind) const {
+  Way way{path.ray, {}, path.viewing.interiors};
   if (has_flights_) way.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
+  const Ray ray = way.needed_ray(scene_);
+  way.hit = kind == RayKind::camera ? tracer.camera_hit(ray) : tracer.bounce_hit(ray);
   const Rgb left = passages_.follow_to_end(tracer, way);
   path.ray = way.ray;
   path.viewing.interiors = way.interiors;

@@ -67,7 +67,7 @@ class PathReference final : public Integrator {
   };
   /// Follows the path's ray from the vertex of the sampler to its end, through what is not there, and takes
   /// from the throughput what media keep on the way.
-  End fly(Tracer& tracer, const VertexSampler& sampler, State& path, const Hit& hit) const;
+  End fly(Tracer& tracer, const VertexSampler& sampler, State& path, RayKind kind) const;
   /// Writes what is asked for of where a path has come to after `depth` scattering events.
   void record_vertex(const Interaction& at, const Hit& hit, int depth, const State& path,
                      const RecordSpans& record) const;

@@ -7,7 +7,6 @@
 #include "core/spawn_ray.h"
 #include "core/surface.h"
 #include "core/surface_model.h"
-#include "integrators/flight.h"
 #include "integrators/interaction.h"
 
 namespace twinray {
@@ -49,7 +48,16 @@ WalkBelow::WalkBelow(const Scene& scene, const BodyBelow& body, const WalkStart&
       draws_(draws),
       phase_(body.medium.anisotropy),
       walk_{.ray = start.into, .left = {1, 1, 1}, .interiors = start.interiors},
-      before_(start.way) {}
+      before_(start.way) {
+  take_off();
+}
+
+void WalkBelow::take_off() {
+  flight_.emplace(throughput_ * walk_.left, draws_.at(step_).draw_1d(Purpose::medium));
+  ray_ = walk_.ray;
+  if (step_ == 0 && start_.left_if_open) return;  // Whether anything is hit matters at any distance.
+  ray_.t_max = t_beyond(ray_, std::max(flight_->reach(body_.medium) - before_, 0.0f));
+}
 
 bool WalkBelow::goes_on(const Hit& hit) {
   const VertexSampler sampler = draws_.at(step_);
@@ -58,15 +66,14 @@ bool WalkBelow::goes_on(const Hit& hit) {
     walk_.left = *start_.left_if_open;
     return comes_out();
   }
-  Flight flight(throughput_ * walk_.left, sampler.draw_1d(Purpose::medium));
   // The medium is even, so it is the same wherever the way begins.
   const Ray whole{.direction = walk_.ray.direction};
   const bool is_scattered =
-      flight.ends_within(body_.medium, MediumColumn(*scene_, body_.medium, whole, before_ + hit.t));
-  walk_.left = walk_.left * flight.weight();
+      flight_->ends_within(body_.medium, MediumColumn(*scene_, body_.medium, whole, before_ + hit.t));
+  walk_.left = walk_.left * flight_->weight();
   if (is_black(throughput_ * walk_.left)) return false;
   if (is_scattered) {
-    scatter(std::max(flight.distance() - before_, 0.0f), sampler.draw_2d(Purpose::direction));
+    scatter(std::max(flight_->distance() - before_, 0.0f), sampler.draw_2d(Purpose::direction));
   } else {
     if (hit.is_miss()) return false;
     const SurfacePoint point = surface_at(*scene_->geometry, hit);
@@ -75,7 +82,9 @@ bool WalkBelow::goes_on(const Hit& hit) {
   }
   before_ = 0;
   if (step_ >= first_roulette && !survives(sampler, walk_.left)) return false;
-  return ++step_ < WalkDraws::most_steps || comes_back();
+  if (++step_ == WalkDraws::most_steps) return comes_back();
+  take_off();
+  return true;
 }
 
 void WalkBelow::scatter(float distance, Vec2 u) {

@@ -8,6 +8,7 @@
 #include "core/phase_function.h"
 #include "core/sampler.h"
 #include "core/scene.h"
+#include "integrators/flight.h"
 #include "integrators/tracer.h"
 
 namespace twinray {
@@ -72,14 +73,16 @@ class WalkBelow {
   WalkBelow(const Scene& scene, const BodyBelow& body, const WalkStart& start, const Rgb& throughput,
             const WalkDraws& draws);
 
-  /// Along which the walk goes on: what it hits is asked for next.
-  const Ray& ray() const { return walk_.ray; }
+  /// Along which the walk goes on, as far as it does before it is scattered: what it hits is asked for next.
+  const Ray& ray() const { return ray_; }
   /// Goes on by what that ray hits; false where the walk ends.
   bool goes_on(const Hit& hit);
   /// Where the walk has come out; none while it goes on, and where it was absorbed.
   const std::optional<WalkEnd>& end() const { return end_; }
 
  private:
+  /// Finds how far the walk goes along the next ray.
+  void take_off();
   /// False: so the walk ends.
   bool comes_out();
   bool comes_back();
@@ -93,6 +96,8 @@ class WalkBelow {
   WalkDraws draws_;
   PhaseFunction phase_;
   WalkEnd walk_;
+  std::optional<Flight> flight_;  ///< Along the current ray,
+  Ray ray_;                       ///< of which this is needed.
   std::optional<WalkEnd> end_;
   float before_;  ///< Of the way in the body, what is before the ray's beginning.
   std::uint32_t step_ = 0;

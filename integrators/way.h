@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <algorithm>
 #include <optional>
 
 #include "core/hit.h"
@@ -20,7 +21,8 @@ inline Rgb transmittance(const Scene& scene, const Interiors& interiors, const R
   return transmittance(medium.extinction(), MediumColumn(scene, medium, ray, t).amount());
 }
 
-/// How far light has been followed along a ray: up to t_min, behind which its hit is the first one.
+/// How far light has been followed along a ray: up to t_min, behind which its hit is the first one, or there is
+/// none in the part that is needed.
 struct Way {
   Ray ray;
   Hit hit;
@@ -29,6 +31,15 @@ struct Way {
   std::optional<Flight> flight;  ///< Of a path that media scatter, rather than dim alone.
   bool is_scattered = false;     ///< One has, before the hit.
 
+  /// The part of the ray in which a hit matters: no longer than the path goes on before it is scattered in an
+  /// even medium, so that less of the scene is searched.
+  Ray needed_ray(const Scene& scene) const {
+    Ray needed = ray;
+    const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;
+    if (medium && medium->interior.density == no_density)
+      needed.t_max = std::min(ray.t_max, t_beyond(ray, flight->reach(medium->interior)));
+    return needed;
+  }
   /// Goes on within the interiors up to the parameter t. False where the path is scattered before it.
   bool goes_on(const Scene& scene, float t) {
     const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;

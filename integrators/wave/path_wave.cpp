@@ -38,8 +38,9 @@ void PathWave::trace() {
   start();
   const std::span<const Ray> rays(wave_.rays);
   const std::span<Hit> hits(wave_.hits);
+  take_off(0);
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
-  fly(0);
+  fly();
   record_coverage();
   for (;; ++depth_) {
     tracer_.arrive();
@@ -55,8 +56,9 @@ void PathWave::trace() {
     // The ray after the last surface only looks for light.
     const bool is_last = depth_ + 1 >= context_.options.depth_limit();
     if ((is_last && !may_find_light()) || !scatter(is_last)) return;
+    take_off(std::uint32_t(depth_) + 1);
     tracer_.bounce_hits(rays.first(paths_.size), hits.first(paths_.size));
-    fly(std::uint32_t(depth_) + 1);
+    fly();
   }
 }
 
@@ -80,16 +82,27 @@ void PathWave::start() {
   }
 }
 
-void PathWave::fly(std::uint32_t vertex) {
+void PathWave::take_off(std::uint32_t vertex) {
+  if (!context_.has_flights) return;
+  draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.unused);
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (!paths_.interiors_at(i).empty()) wave_.rays[i] = way_of(i).needed_ray(context_.transport.scene);
+}
+
+Way PathWave::way_of(std::size_t i) const {
+  Way way{wave_.rays[i], wave_.hits[i], paths_.interiors_at(i)};
+  way.ray.t_max = std::numeric_limits<float>::infinity();
+  if (context_.has_flights) way.flight.emplace(paths_.throughput.at<Rgb>(i), wave_.flight[i]);
+  return way;
+}
+
+void PathWave::fly() {
   if (!context_.has_interiors && context_.passages.empty()) return;
-  if (context_.has_flights) draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.unused);
   for (std::size_t i = 0; i < paths_.size; ++i) {
-    const Interiors interiors = paths_.interiors_at(i);
-    if (interiors.empty() && !context_.passages.is_one(wave_.hits[i])) continue;
-    const Rgb throughput = paths_.throughput.at<Rgb>(i);
-    Way way{wave_.rays[i], wave_.hits[i], interiors};
-    if (context_.has_flights) way.flight.emplace(throughput, wave_.flight[i]);
-    paths_.throughput.set(i, throughput * context_.passages.follow_to_end(tracer_, way));
+    if (paths_.interiors_at(i).empty() && !context_.passages.is_one(wave_.hits[i])) continue;
+    Way way = way_of(i);
+    const Rgb left = context_.passages.follow_to_end(tracer_, way);
+    paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * left);
     paths_.interiors.set(i, way.interiors.bits());
     wave_.rays[i] = way.ray;
     wave_.hits[i] = way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit;
