@@ -102,6 +102,7 @@ set(private_headers
   integrators/wave/double_lanes-inl.h
   integrators/wave/facets-inl.h
   integrators/wave/fetch-inl.h
+  integrators/wave/follow_together.h
   integrators/wave/lamps-inl.h
   integrators/wave/lanes-inl.h
   integrators/wave/light-inl.h

@@ -4,15 +4,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "integrators/straight_on.h"
-
 namespace twinray {
-namespace {
-
-/// Whoever passes more is lost between surfaces that lie in each other.
-constexpr int most_passages = 10000;
-
-}  // namespace
 
 Passages::Passages(const Scene& scene) : scene_(scene) {
   const auto is_passage = [&](const ShapeBinding& binding) {
@@ -22,30 +14,37 @@ Passages::Passages(const Scene& scene) : scene_(scene) {
   for (const ShapeBinding& binding : scene.bindings) is_passage_.push_back(is_passage(binding));
 }
 
-void Passages::pass(Tracer& tracer, Way& way, RayKind kind) const {
-  StraightOn through(scene_, way.interiors);
-  for (int passed = 0; is_one(way.hit); ++passed) {
-    if (!way.goes_on(scene_, way.hit.t)) return;
-    through.pass(way.hit, way.ray);
-    way.interiors = through.interiors();
-    way.hit = passed < most_passages ? tracer.hit(way.needed_ray(scene_), kind) : Hit{};
-  }
-}
-
-void Passages::follow(Tracer& tracer, Way& way) const { pass(tracer, way, RayKind::bounce); }
-
-Rgb Passages::follow_to_end(Tracer& tracer, Way& way) const {
-  follow(tracer, way);
-  if (!way.is_scattered) way.goes_on(scene_, way.hit.t);
-  return way.weight();
+void Passages::follow(Tracer& tracer, Way& way) const {
+  PassingRay ray(*this, way);
+  for (Hit hit = way.hit; ray.goes_on(hit);) hit = tracer.bounce_hit(ray.ray());
+  way = ray.way();
 }
 
 Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const {
-  Way way{shadow_ray, tracer.hit(shadow_ray, RayKind::shadow), interiors};
-  pass(tracer, way, RayKind::shadow);
-  if (!way.hit.is_miss()) return {};
-  way.goes_on(scene_, way.ray.t_max);
-  return way.left;
+  PassingRay ray(*this, {shadow_ray, {}, interiors});
+  while (ray.goes_on(tracer.hit(ray.ray(), RayKind::shadow))) continue;
+  return ray.visibility();
+}
+
+bool PassingRay::goes_on(const Hit& hit) {
+  way_.hit = hit;
+  if (!passages_->is_one(hit)) return false;
+  if (!way_.goes_on(passages_->scene(), hit.t)) return false;
+  through_.pass(hit, way_.ray);
+  way_.interiors = through_.interiors();
+  way_.hit = Hit{};
+  return passed_++ < most_passages;
+}
+
+Rgb PassingRay::end() {
+  if (!way_.is_scattered) way_.goes_on(passages_->scene(), way_.hit.t);
+  return way_.weight();
+}
+
+Rgb PassingRay::visibility() {
+  if (!way_.hit.is_miss()) return {};
+  way_.goes_on(passages_->scene(), way_.ray.t_max);
+  return way_.left;
 }
 
 }  // namespace twinray

@@ -87,11 +87,15 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
 
 PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampler, State& path,
                                       RayKind kind) const {
-  Way way{path.ray, {}, path.viewing.interiors};
-  if (has_flights_) way.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
-  const Ray ray = way.needed_ray(scene_);
-  way.hit = kind == RayKind::camera ? tracer.camera_hit(ray) : tracer.bounce_hit(ray);
-  const Rgb left = passages_.follow_to_end(tracer, way);
+  Way begun{path.ray, {}, path.viewing.interiors};
+  if (has_flights_) begun.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
+  PassingRay passing(passages_, begun);
+  const Ray first = passing.ray();
+  for (Hit hit = kind == RayKind::camera ? tracer.camera_hit(first) : tracer.bounce_hit(first);
+       passing.goes_on(hit);)
+    hit = tracer.bounce_hit(passing.ray());
+  const Rgb left = passing.end();
+  const Way& way = passing.way();
   path.ray = way.ray;
   path.viewing.interiors = way.interiors;
   path.throughput = path.throughput * left;

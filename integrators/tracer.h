@@ -70,8 +70,10 @@ class Tracer {
     note(rays, RayKind::camera, counts_.camera);
     closest(rays, hits);
   }
-  void bounce_hits(std::span<const Ray> rays, std::span<Hit> hits) {
-    note(rays, RayKind::bounce, counts_.bounce);
+  void bounce_hits(std::span<const Ray> rays, std::span<Hit> hits) { this->hits(rays, RayKind::bounce, hits); }
+  /// Of rays that go on where others of this kind have been, or begin as they do.
+  void hits(std::span<const Ray> rays, RayKind kind, std::span<Hit> hits) {
+    note(rays, kind, kind == RayKind::shadow ? counts_.shadow : counts_.bounce);
     closest(rays, hits);
   }
   /// The visibility along a shadow ray, likewise.

@@ -8,6 +8,7 @@
 #include "integrators/emergence.h"
 #include "integrators/light_division.h"
 #include "integrators/scattering.h"
+#include "integrators/wave/follow_together.h"
 #include "integrators/wave/path_wave.h"
 
 namespace twinray {
@@ -26,19 +27,10 @@ void PathWave::go_below(std::uint32_t n, const Scattering& next) {
 }
 
 void PathWave::walk() {
-  std::vector<std::uint32_t>& walking = wave_.walking;
-  walking.resize(wave_.walks.size());
-  std::iota(walking.begin(), walking.end(), 0u);
-  while (!walking.empty()) {
-    const std::span<Ray> rays = std::span(connections_.rays).first(walking.size());
-    const std::span<Hit> hits = std::span(connections_.hits).first(walking.size());
-    for (std::size_t k = 0; k < walking.size(); ++k) rays[k] = wave_.walks[walking[k]].walk.ray();
-    tracer_.bounce_hits(rays, hits);
-    std::size_t going = 0;
-    for (std::size_t k = 0; k < walking.size(); ++k)
-      if (wave_.walks[walking[k]].walk.goes_on(hits[k])) walking[going++] = walking[k];
-    walking.resize(going);
-  }
+  wave_.going.resize(wave_.walks.size());
+  std::iota(wave_.going.begin(), wave_.going.end(), 0u);
+  const auto walk_of = [&](std::uint32_t n) -> WalkBelow& { return wave_.walks[n].walk; };
+  follow_together(tracer_, RayKind::bounce, walk_of, wave_.going, {wave_.followed_rays, wave_.followed_hits});
   for (const BodyWalk& walk : wave_.walks)
     if (walk.walk.end()) come_out(walk);
 }

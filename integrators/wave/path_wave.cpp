@@ -82,33 +82,6 @@ void PathWave::start() {
   }
 }
 
-void PathWave::take_off(std::uint32_t vertex) {
-  if (!context_.has_flights) return;
-  draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.unused);
-  for (std::size_t i = 0; i < paths_.size; ++i)
-    if (!paths_.interiors_at(i).empty()) wave_.rays[i] = way_of(i).needed_ray(context_.transport.scene);
-}
-
-Way PathWave::way_of(std::size_t i) const {
-  Way way{wave_.rays[i], wave_.hits[i], paths_.interiors_at(i)};
-  way.ray.t_max = std::numeric_limits<float>::infinity();
-  if (context_.has_flights) way.flight.emplace(paths_.throughput.at<Rgb>(i), wave_.flight[i]);
-  return way;
-}
-
-void PathWave::fly() {
-  if (!context_.has_interiors && context_.passages.empty()) return;
-  for (std::size_t i = 0; i < paths_.size; ++i) {
-    if (paths_.interiors_at(i).empty() && !context_.passages.is_one(wave_.hits[i])) continue;
-    Way way = way_of(i);
-    const Rgb left = context_.passages.follow_to_end(tracer_, way);
-    paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * left);
-    paths_.interiors.set(i, way.interiors.bits());
-    wave_.rays[i] = way.ray;
-    wave_.hits[i] = way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit;
-  }
-}
-
 Departure PathWave::departure_from(std::size_t surface) const {
   return {receiver_at(surface), wave_.pdf[surface], Seeking(wave_.seeking[surface])};
 }
@@ -377,24 +350,11 @@ void PathWave::sample_other_light(std::uint32_t light) {
 }
 
 void PathWave::connect() {
-  if (const Passages* const passages = context_.transport.passages) {
-    for (std::size_t k = 0; k < connections_.size; ++k)
-      connections_.arriving.set(connections_.surface[k],
-                                passages->visibility(tracer_, connections_.rays[k], interiors_of(k)));
-    return;
-  }
+  if (context_.transport.passages) return connect_through_passages();
   const std::span<const Rgb> visible =
       tracer_.visibilities(std::span(connections_.rays).first(connections_.size));
   for (std::size_t k = 0; k < connections_.size; ++k)
     connections_.arriving.set(connections_.surface[k], visible[k]);
-}
-
-void PathWave::absorb_light() {
-  for (std::size_t i = 0; i < paths_.size; ++i)
-    if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
-      connections_.scattered.set(
-          i, connections_.scattered.at<Rgb>(i) *
-                 transmittance(context_.transport.scene, interiors, light_.ray(i), light_.t_max[i]));
 }
 
 void PathWave::add_hemisphere() {

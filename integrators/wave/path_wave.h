@@ -64,12 +64,15 @@ class PathWave {
   void add_found_beyond(std::span<const std::uint32_t> escaped);
   /// and one of them.
   void add_found(std::size_t k, const Arrival& arrival);
+  // Between surfaces (integrators/wave/media.cpp).
   /// Of paths in media that scatter: how far their rays from this vertex go, and what is needed of them.
   void take_off(std::uint32_t vertex);
-  Way way_of(std::size_t i) const;
   /// Follows rays to their ends, through what is not there, and takes from the paths what
   /// media keep on the way. Where media scatter paths, their hits are of the shape medium().
   void fly();
+  void connect_through_passages();
+  /// Traces the `passing` rays that are `going`.
+  void follow_passing(RayKind kind);
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
   void absorb_light();
   /// Takes the paths out that have hit nothing, and those that are scattered no more.

@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/hit.h"
@@ -13,6 +14,7 @@
 #include "integrators/direct_light.h"
 #include "integrators/interaction.h"
 #include "integrators/wave/columns.h"
+#include "integrators/passages.h"
 #include "integrators/walk_below.h"
 #include "integrators/wave/lobe_surfaces.h"
 
@@ -102,6 +104,12 @@ struct BodyWalk {
   WalkBelow walk;
 };
 
+/// A ray between surfaces.
+struct PassingPath {
+  std::uint32_t index;  ///< Of its path, or of the surface that it comes from.
+  PassingRay ray;
+};
+
 /// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.
 struct LightSamples {
   Floats ux, uy;            ///< The draws.
@@ -157,13 +165,17 @@ struct Wave {
   std::vector<std::uint32_t> placed_alone;  ///< The surfaces whose points no lanes find.
   CoatedDiffuseSurfaces coated_diffuse;     ///< Those that lanes know, by their lobes.
   RoughConductorSurfaces rough_conductor;
-  std::vector<BodyWalk> walks;         ///< Of the paths that have gone into bodies from their last surfaces:
-  std::vector<std::uint32_t> walking;  ///< which of them go on.
-  Columns3 scattered_at_lobes;         ///< Of a light's sample, at a list's surfaces.
+  std::vector<BodyWalk> walks;       ///< Of the paths that have gone into bodies from their last surfaces.
+  std::vector<PassingPath> passing;  ///< Rays of paths, or towards lights, between surfaces.
+  std::vector<std::uint32_t> going;  ///< Which of either go on,
+  std::vector<Ray> followed_rays;    ///< by these rays,
+  std::vector<Hit> followed_hits;    ///< which hit this.
+  Columns3 scattered_at_lobes;       ///< Of a light's sample, at a list's surfaces.
   LobePaths lobe_paths;
   Floats ux, uy;        ///< Draws of a direction, or of roulette.
   Floats lobe, unused;  ///< Draws of how other surfaces scatter, and what comes with them.
-  Floats flight;        ///< Of how far paths get in media that scatter.
+  Floats flight;        ///< Of how far paths get in media that scatter;
+  std::vector<std::optional<Flight>> flights;  ///< where they start in one, by that.
   // Where there are textures: where they are asked for, and draws of their pixels (TexturePoint).
   Floats texture_u, texture_v, footprint;
   Floats second_u, second_v, second_footprint;  ///< Where a mesh has a second set of coordinates.

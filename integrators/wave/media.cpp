@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a wave does between surfaces: media that dim light or scatter paths, and surfaces that are not there.
+#include <limits>
+#include <numeric>
+
+#include "integrators/wave/follow_together.h"
+#include "integrators/wave/path_wave.h"
+
+namespace twinray {
+
+void PathWave::take_off(std::uint32_t vertex) {
+  if (!context_.has_flights) return;
+  const Scene& scene = context_.transport.scene;
+  draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.unused);
+  wave_.flights.assign(paths_.size, std::nullopt);
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Interiors interiors = paths_.interiors_at(i);
+    if (!scattering_medium(scene.materials, interiors)) continue;
+    wave_.flights[i].emplace(paths_.throughput.at<Rgb>(i), wave_.flight[i]);
+    wave_.rays[i] = Way{wave_.rays[i], {}, interiors, {1, 1, 1}, wave_.flights[i]}.needed_ray(scene);
+  }
+}
+
+void PathWave::fly() {
+  if (!context_.has_interiors && context_.passages.empty()) return;
+  wave_.passing.clear();
+  wave_.going.clear();
+  for (std::size_t i = 0; i < paths_.size; ++i) {
+    const Hit& hit = wave_.hits[i];
+    const Interiors interiors = paths_.interiors_at(i);
+    const bool passes = context_.passages.is_one(hit);
+    if (interiors.empty() && !passes) continue;
+    Way way{wave_.rays[i], {}, interiors};
+    way.ray.t_max = std::numeric_limits<float>::infinity();
+    if (context_.has_flights) way.flight = wave_.flights[i];
+    // It may come into a medium that scatters.
+    if (context_.has_flights && passes && !way.flight)
+      way.flight.emplace(paths_.throughput.at<Rgb>(i), wave_.flight[i]);
+    wave_.passing.push_back({std::uint32_t(i), {context_.passages, way}});
+    if (wave_.passing.back().ray.goes_on(hit)) wave_.going.push_back(std::uint32_t(wave_.passing.size() - 1));
+  }
+  follow_passing(RayKind::bounce);
+  for (PassingPath& path : wave_.passing) {
+    const std::uint32_t i = path.index;
+    paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * path.ray.end());
+    const Way& way = path.ray.way();
+    paths_.interiors.set(i, way.interiors.bits());
+    wave_.rays[i] = way.ray;
+    wave_.hits[i] = way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit;
+  }
+}
+
+void PathWave::connect_through_passages() {
+  wave_.passing.clear();
+  for (std::size_t k = 0; k < connections_.size; ++k)
+    wave_.passing.push_back(
+        {connections_.surface[k], {context_.passages, {connections_.rays[k], {}, interiors_of(k)}}});
+  wave_.going.resize(connections_.size);
+  std::iota(wave_.going.begin(), wave_.going.end(), 0u);
+  follow_passing(RayKind::shadow);
+  for (PassingPath& path : wave_.passing) connections_.arriving.set(path.index, path.ray.visibility());
+}
+
+void PathWave::follow_passing(RayKind kind) {
+  const auto ray_of = [&](std::uint32_t n) -> PassingRay& { return wave_.passing[n].ray; };
+  follow_together(tracer_, kind, ray_of, wave_.going, {wave_.followed_rays, wave_.followed_hits});
+}
+
+void PathWave::absorb_light() {
+  for (std::size_t i = 0; i < paths_.size; ++i)
+    if (const Interiors interiors = paths_.interiors_at(i); !interiors.empty())
+      connections_.scattered.set(
+          i, connections_.scattered.at<Rgb>(i) *
+                 transmittance(context_.transport.scene, interiors, light_.ray(i), light_.t_max[i]));
+}
+
+}  // namespace twinray
