@@ -23,7 +23,7 @@ void Passages::follow(Tracer& tracer, Way& way) const {
 Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const {
   PassingRay ray(*this, {shadow_ray, {}, interiors});
   while (ray.goes_on(tracer.hit(ray.ray(), RayKind::shadow))) continue;
-  return ray.visibility();
+  return twinray::visibility(scene_, ray.way());
 }
 
 bool PassingRay::goes_on(const Hit& hit) {
@@ -34,17 +34,6 @@ bool PassingRay::goes_on(const Hit& hit) {
   way_.interiors = through_.interiors();
   way_.hit = Hit{};
   return passed_++ < most_passages;
-}
-
-Rgb PassingRay::end() {
-  if (!way_.is_scattered) way_.goes_on(passages_->scene(), way_.hit.t);
-  return way_.weight();
-}
-
-Rgb PassingRay::visibility() {
-  if (!way_.hit.is_miss()) return {};
-  way_.goes_on(passages_->scene(), way_.ray.t_max);
-  return way_.left;
 }
 
 }  // namespace twinray

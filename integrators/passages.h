@@ -39,7 +39,7 @@ class PassingRay {
   /// Whoever passes more is lost between surfaces that lie in each other.
   static constexpr int most_passages = 10000;
 
-  /// The way's hit is not known yet. The passages must outlive it.
+  /// The passages must outlive it.
   PassingRay(const Passages& passages, const Way& way)
       : passages_(&passages), way_(way), through_(passages.scene(), way.interiors) {}
 
@@ -47,14 +47,8 @@ class PassingRay {
   Ray ray() const { return way_.needed_ray(passages_->scene()); }
   /// Goes on by what that hits: through a passage. False where it hits none, or is scattered before it.
   bool goes_on(const Hit& hit);
-  /// How far it has come.
+  /// How far it has come: once it goes on no more, to the last hit.
   const Way& way() const { return way_; }
-
-  /// Of a path whose ray goes on no more: follows it to its end, at the hit, or to where a medium scatters the
-  /// path. What there is of the throughput there, relative to where the ray began.
-  Rgb end();
-  /// Of a shadow ray likewise: what comes along it.
-  Rgb visibility();
 
  private:
   const Passages* passages_;

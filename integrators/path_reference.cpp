@@ -94,8 +94,9 @@ PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampl
   for (Hit hit = kind == RayKind::camera ? tracer.camera_hit(first) : tracer.bounce_hit(first);
        passing.goes_on(hit);)
     hit = tracer.bounce_hit(passing.ray());
-  const Rgb left = passing.end();
-  const Way& way = passing.way();
+  Way way = passing.way();
+  way.ends(scene_);
+  const Rgb left = way.weight();
   path.ray = way.ray;
   path.viewing.interiors = way.interiors;
   path.throughput = path.throughput * left;

@@ -49,6 +49,10 @@ struct Way {
       left = left * transmittance(scene, interiors, ray, t);
     return !is_scattered;
   }
+  /// Goes on to where it ends: at its hit, or where a medium scatters the path.
+  void ends(const Scene& scene) {
+    if (!is_scattered) goes_on(scene, hit.t);
+  }
   /// What there is of a path's throughput where it has come to.
   Rgb weight() const { return flight ? left * flight->weight() : left; }
   /// The ray's parameter where the path is scattered,
@@ -56,5 +60,12 @@ struct Way {
   /// and that point.
   Vec3 scattered_at() const { return ray.origin + ray.direction * t_scattered(); }
 };
+
+/// What comes along a shadow ray that has been followed to its last hit: nothing, if that is one.
+inline Rgb visibility(const Scene& scene, Way way) {
+  if (!way.hit.is_miss()) return {};
+  way.goes_on(scene, way.ray.t_max);
+  return way.left;
+}
 
 }  // namespace twinray

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a wave does between surfaces: media that dim light or scatter paths, and surfaces that are not there.
 #include <limits>
-#include <numeric>
 
 #include "integrators/wave/follow_together.h"
 #include "integrators/wave/path_wave.h"
@@ -24,44 +23,58 @@ void PathWave::take_off(std::uint32_t vertex) {
 void PathWave::fly() {
   if (!context_.has_interiors && context_.passages.empty()) return;
   wave_.passing.clear();
-  wave_.going.clear();
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     const Interiors interiors = paths_.interiors_at(i);
     const bool passes = context_.passages.is_one(hit);
     if (interiors.empty() && !passes) continue;
-    Way way{wave_.rays[i], {}, interiors};
+    Way way{wave_.rays[i], hit, interiors};
     way.ray.t_max = std::numeric_limits<float>::infinity();
     if (context_.has_flights) way.flight = wave_.flights[i];
+    if (!passes) {
+      land(i, way);
+      continue;
+    }
     // It may come into a medium that scatters.
-    if (context_.has_flights && passes && !way.flight)
+    if (context_.has_flights && !way.flight)
       way.flight.emplace(paths_.throughput.at<Rgb>(i), wave_.flight[i]);
-    wave_.passing.push_back({std::uint32_t(i), {context_.passages, way}});
-    if (wave_.passing.back().ray.goes_on(hit)) wave_.going.push_back(std::uint32_t(wave_.passing.size() - 1));
+    wave_.passing.emplace_back(std::uint32_t(i), context_.passages, way);
   }
   follow_passing(RayKind::bounce);
-  for (PassingPath& path : wave_.passing) {
-    const std::uint32_t i = path.index;
-    paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * path.ray.end());
-    const Way& way = path.ray.way();
-    paths_.interiors.set(i, way.interiors.bits());
-    wave_.rays[i] = way.ray;
-    wave_.hits[i] = way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit;
-  }
+  for (PassingPath& path : wave_.passing) land(path.index, path.ray.way());
+}
+
+void PathWave::land(std::size_t i, Way way) {
+  way.ends(context_.transport.scene);
+  paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * way.weight());
+  paths_.interiors.set(i, way.interiors.bits());
+  wave_.rays[i] = way.ray;
+  wave_.hits[i] = way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit;
 }
 
 void PathWave::connect_through_passages() {
+  const std::size_t size = connections_.size;
+  tracer_.hits(std::span(connections_.rays).first(size), RayKind::shadow,
+               std::span(connections_.hits).first(size));
   wave_.passing.clear();
-  for (std::size_t k = 0; k < connections_.size; ++k)
-    wave_.passing.push_back(
-        {connections_.surface[k], {context_.passages, {connections_.rays[k], {}, interiors_of(k)}}});
-  wave_.going.resize(connections_.size);
-  std::iota(wave_.going.begin(), wave_.going.end(), 0u);
+  for (std::size_t k = 0; k < size; ++k) {
+    const Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
+    if (context_.passages.is_one(way.hit))
+      wave_.passing.emplace_back(connections_.surface[k], context_.passages, way);
+    else
+      connections_.arriving.set(connections_.surface[k], visibility(context_.transport.scene, way));
+  }
   follow_passing(RayKind::shadow);
-  for (PassingPath& path : wave_.passing) connections_.arriving.set(path.index, path.ray.visibility());
+  for (const PassingPath& path : wave_.passing)
+    connections_.arriving.set(path.index, visibility(context_.transport.scene, path.ray.way()));
 }
 
 void PathWave::follow_passing(RayKind kind) {
+  wave_.going.clear();
+  for (std::size_t n = 0; n < wave_.passing.size(); ++n) {
+    PassingRay& ray = wave_.passing[n].ray;
+    if (ray.goes_on(ray.way().hit)) wave_.going.push_back(std::uint32_t(n));
+  }
   const auto ray_of = [&](std::uint32_t n) -> PassingRay& { return wave_.passing[n].ray; };
   follow_together(tracer_, kind, ray_of, wave_.going, {wave_.followed_rays, wave_.followed_hits});
 }

@@ -70,8 +70,10 @@ class PathWave {
   /// Follows rays to their ends, through what is not there, and takes from the paths what
   /// media keep on the way. Where media scatter paths, their hits are of the shape medium().
   void fly();
+  /// Where the ray of a path ends.
+  void land(std::size_t i, Way way);
   void connect_through_passages();
-  /// Traces the `passing` rays that are `going`.
+  /// Follows the `passing` rays through what they have hit.
   void follow_passing(RayKind kind);
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
   void absorb_light();

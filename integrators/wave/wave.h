@@ -108,6 +108,9 @@ struct BodyWalk {
 struct PassingPath {
   std::uint32_t index;  ///< Of its path, or of the surface that it comes from.
   PassingRay ray;
+
+  /// Makes the ray, which is large, where it stays.
+  PassingPath(std::uint32_t i, const Passages& passages, const Way& way) : index(i), ray(passages, way) {}
 };
 
 /// Light that may arrive at each surface: a LightSample each, its shadow ray in parts.
