@@ -176,11 +176,13 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic),
               many = scene_of_many_lights(),
               lamps = textured(scene_of_everything(), TextureFilter::trilinear),
-              interiors = scene_of_interiors(), bodies = scene_without_passages();
+              interiors = scene_of_interiors(), closed = scene_without_passages();
+  const Scene media = scene_in_media(), bodies = scene_with_bodies(),
+              textured_bodies = textured(scene_with_bodies(), TextureFilter::trilinear);
   const Scene instances = instanced(everything), textured_instances = instanced(textures);
   const Scene* const scenes[] = {&instances, &textured_instances, &everything, &models, &room,
                                  &skies,     &textures,           &lamps,      &many,   &interiors,
-                                 &bodies};
+                                 &closed,    &media,              &bodies,     &textured_bodies};
   for (std::size_t i = 0; i < std::size(cases); ++i)
     for (std::size_t j = 0; j < std::size(scenes); ++j) {
       // A whole wave, and a part of the next.

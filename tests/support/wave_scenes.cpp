@@ -56,6 +56,14 @@ void add_models(Scene& scene, const std::vector<SurfaceModel>& models) {
   scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
 }
 
+/// A ball of a material.
+void add_ball(Scene& scene, std::uint32_t material, const Sphere& ball) {
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  scene.bindings.push_back({material});
+  shapes.push_back(SphereSet{"", {ball}});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+}
+
 /// Every light that rays find by leaving the scene.
 void add_distant_lights(Scene& scene) {
   add_light(scene, AmbientLight{{0, 1, 0}, {0.1f, 0.2f, 0.1f}});
@@ -181,6 +189,45 @@ Scene scene_without_passages() {
   Scene scene = scene_of_interiors();
   for (Material& material : scene.materials)
     if (std::holds_alternative<Interface>(material.model)) material.model = Dielectric{1.2f};
+  return scene;
+}
+
+Scene scene_in_media() {
+  Scene scene = scene_of_interiors();
+  scene.densities = {std::make_shared<const DensityGrid>(
+      DensityGrid::Size{2, 3, 2}, std::vector<float>{0, 9, 4, 1, 0, 3, 8, 0, 2, 5, 9, 1},
+      Transform::scaling(0.4, 0.4, 0.4) * Transform::translation(1.2, 1.2, 1.2))};
+  std::uint32_t next = 0;
+  for (Material& material : scene.materials) {
+    Interior& interior = material.interior;
+    if (is_black(interior.absorption)) continue;
+    interior.scattering = Rgb{2, 0.5f, 1} * (0.25f * float(next));
+    interior.anisotropy = 0.2f * float(next % 7) - 0.6f;
+    if (next++ == 3) interior.density = 0;
+  }
+  scene.materials.push_back({.name = "fog", .model = Interface{}});
+  scene.materials.back().interior = {.scattering = {0.4f, 0.1f, 0.7f}};
+  check_scene(scene);
+  return scene;
+}
+
+Scene scene_with_bodies() {
+  Scene scene = scene_of_every_model();
+  add_models(scene, {Principled{.subsurface_weight = 0.7f, .subsurface_color = {0.9f, 0.5f, 0.4f}},
+                     CoatedDiffuse{.roughness = {0.1f, 0.4f}}});
+  float radius = 0.02f;
+  for (Material& material : scene.materials) {
+    const auto* const principled = std::get_if<Principled>(&material.model);
+    if (!std::holds_alternative<CoatedDiffuse>(material.model) && !principled) continue;
+    material.subsurface = {{radius, 2 * radius, 0.3f * radius}, 0.5f - radius};
+    radius *= 3;
+  }
+  const auto last = std::uint32_t(scene.materials.size() - 1);
+  add_models(scene, {Mix{last, last - 1, 0.5f}, Mix{0, last, 0.5f}, Interface{}});
+  scene.materials.back().interior = {.absorption = {0.1f, 0.2f, 0.1f}, .scattering = {0.2f, 0.1f, 0.7f}};
+  for (std::uint32_t material = last - 1; material < scene.materials.size(); ++material)
+    add_ball(scene, material, {{0.3f * float(material % 5) - 0.6f, 0, -0.2f * float(material % 3)}, 0.4f});
+  check_scene(scene);
   return scene;
 }
 
