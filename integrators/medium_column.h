@@ -9,7 +9,8 @@
 
 namespace twinray {
 
-/// A parameter of a ray at least so far behind its beginning as `distance`, but hardly more; infinite likewise.
+/// A parameter of a ray at least so far behind its beginning as `distance`, but hardly more; infinite
+/// likewise.
 inline float t_beyond(const Ray& ray, float distance) {
   constexpr float slack = 1 + 0x1p-20f;  // More than what rounding takes, but for the sum's.
   constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -70,7 +70,8 @@ class PathIntegrator::Waves {
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
   const std::vector<Lamp> lamps_;
-  const bool has_interiors_, has_flights_, has_bodies_, has_environment_, exceeds_cache_, has_second_uvs_, has_placed_textures_;
+  const bool has_interiors_, has_flights_, has_bodies_, has_environment_, exceeds_cache_, has_second_uvs_,
+      has_placed_textures_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

@@ -105,8 +105,7 @@ PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampl
     end = {Hit{}, way.scattered_at()};
     path.cone = path.cone.at(way.t_scattered() * length(way.ray.direction));
   }
-  tracer.observer().arrived(
-      {way.ray, end.hit, path.throughput, left, way.flight && way.flight->has_begun()});
+  tracer.observer().arrived({way.ray, end.hit, path.throughput, left, way.flight && way.flight->has_begun()});
   return end;
 }
 
@@ -151,8 +150,8 @@ Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, 
 
 std::optional<Interaction> PathReference::emerge(const Interaction& from, const WalkDraws& draws,
                                                  Tracer& tracer, State& path) const {
-  const auto end = walk_below(
-      tracer, walk_from(scene_, from, path.ray, path.viewing.interiors, path.throughput, draws));
+  const auto end =
+      walk_below(tracer, walk_from(scene_, from, path.ray, path.viewing.interiors, path.throughput, draws));
   if (!end) return std::nullopt;
   path.ray = end->ray;
   path.throughput = path.throughput * end->left;
@@ -164,8 +163,7 @@ std::optional<Interaction> PathReference::emerge(const Interaction& from, const 
                              .transmittance = end->left,
                              .is_flight = true,
                              .events_below = end->events});
-  const Interaction emerged =
-      come_out(bsdfs_, from, *end, draws.at_end(), path.viewing.materials, path.cone);
+  const Interaction emerged = come_out(bsdfs_, from, *end, draws.at_end(), path.viewing.materials, path.cone);
   tracer.observer().stands_at(emerged, path.viewing.materials);
   return emerged;
 }

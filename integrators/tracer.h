@@ -70,7 +70,9 @@ class Tracer {
     note(rays, RayKind::camera, counts_.camera);
     closest(rays, hits);
   }
-  void bounce_hits(std::span<const Ray> rays, std::span<Hit> hits) { this->hits(rays, RayKind::bounce, hits); }
+  void bounce_hits(std::span<const Ray> rays, std::span<Hit> hits) {
+    this->hits(rays, RayKind::bounce, hits);
+  }
   /// Of rays that go on where others of this kind have been, or begin as they do.
   void hits(std::span<const Ray> rays, RayKind kind, std::span<Hit> hits) {
     note(rays, kind, kind == RayKind::shadow ? counts_.shadow : counts_.bounce);

@@ -60,8 +60,9 @@ inline constexpr float least_radius = 64;
 
 /// What a walk is in.
 struct BodyBelow {
-  Interior medium;             ///< Even.
-  std::uint32_t material = 0;  ///< Of the body's surfaces: an index into the scene's materials, as shapes have it.
+  Interior medium;  ///< Even.
+  std::uint32_t material =
+      0;  ///< Of the body's surfaces: an index into the scene's materials, as shapes have it.
 };
 
 /// The walk of a path in a body, ray by ray, until it hits a surface of the body again. Other surfaces within

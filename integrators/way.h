@@ -21,8 +21,8 @@ inline Rgb transmittance(const Scene& scene, const Interiors& interiors, const R
   return transmittance(medium.extinction(), MediumColumn(scene, medium, ray, t).amount());
 }
 
-/// How far light has been followed along a ray: up to t_min, behind which its hit is the first one, or there is
-/// none in the part that is needed.
+/// How far light has been followed along a ray: up to t_min, behind which its hit is the first one, or there
+/// is none in the part that is needed.
 struct Way {
   Ray ray;
   Hit hit;
@@ -35,16 +35,15 @@ struct Way {
   /// even medium, so that less of the scene is searched.
   Ray needed_ray(const Scene& scene) const {
     Ray needed = ray;
-    const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;
-    if (medium && medium->interior.density == no_density)
-      needed.t_max = std::min(ray.t_max, t_beyond(ray, flight->reach(medium->interior)));
+    const Interior* const medium = scattering(scene);
+    if (medium && medium->density == no_density)
+      needed.t_max = std::min(ray.t_max, t_beyond(ray, flight->reach(*medium)));
     return needed;
   }
   /// Goes on within the interiors up to the parameter t. False where the path is scattered before it.
   bool goes_on(const Scene& scene, float t) {
-    const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;
-    if (medium)
-      is_scattered = flight->ends_within(medium->interior, MediumColumn(scene, medium->interior, ray, t));
+    if (const Interior* const medium = scattering(scene))
+      is_scattered = flight->ends_within(*medium, MediumColumn(scene, *medium, ray, t));
     else
       left = left * transmittance(scene, interiors, ray, t);
     return !is_scattered;
@@ -59,6 +58,13 @@ struct Way {
   float t_scattered() const { return ray.t_min + flight->distance() / length(ray.direction); }
   /// and that point.
   Vec3 scattered_at() const { return ray.origin + ray.direction * t_scattered(); }
+
+ private:
+  /// The medium that scatters the path at t_min; null where none does.
+  const Interior* scattering(const Scene& scene) const {
+    const Material* const material = flight ? scattering_medium(scene.materials, interiors) : nullptr;
+    return material ? &material->interior : nullptr;
+  }
 };
 
 /// What comes along a shadow ray that has been followed to its last hit: nothing, if that is one.

@@ -21,9 +21,9 @@ void PathWave::go_below(std::uint32_t n, const Scattering& next) {
   key.index = paths_.index[i];
   const WalkDraws draws(kind_, key, std::uint32_t(depth_) + 1);
   const Ray into = spawn_ray(other.at.point(), next.direction);
-  wave_.walks.push_back({n, draws, next.throughput,
-                         walk_from(context_.transport.scene, other.at, into, paths_.interiors_at(i),
-                                   next.throughput, draws)});
+  wave_.walks.push_back(
+      {n, draws, next.throughput,
+       walk_from(context_.transport.scene, other.at, into, paths_.interiors_at(i), next.throughput, draws)});
 }
 
 void PathWave::walk() {

@@ -45,8 +45,8 @@ void PathWave::find_others() {
     const Viewing viewing{Materials(paths_.materials[i]), paths_.interiors_at(i)};
     const Vec3 wo = -normalize(paths_.direction.at(i));
     if (is_in_medium(i))
-      wave_.others.emplace_back(i, Interaction::in_medium(context_.transport.scene, surfaces_.point.position.at(i),
-                                                          wo, viewing));
+      wave_.others.emplace_back(
+          i, Interaction::in_medium(context_.transport.scene, surfaces_.point.position.at(i), wo, viewing));
     else
       wave_.others.emplace_back(i, context_.bsdfs, found_surface(i), wo, viewing);
     if (!is_listed(wave_.others.back())) wave_.alone.push_back(std::uint32_t(wave_.others.size() - 1));

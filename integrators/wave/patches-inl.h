@@ -35,7 +35,8 @@ HWY_ATTR HWY_INLINE Lanes corner_weight(const ReceiverLanes& receivers, const La
   const Lanes3 between = corner - receivers.position;
   const Lanes squared = dot(between, between);
   const Lanes front = hn::Neg(dot(emitter, between));
-  return hn::Mul(hn::Div(positive(facing(receivers, between)), squared), hn::Div(emitted(side, front), squared));
+  return hn::Mul(hn::Div(positive(facing(receivers, between)), squared),
+                 hn::Div(emitted(side, front), squared));
 }
 
 /// That a patch of this share is chosen.

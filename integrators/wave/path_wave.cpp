@@ -197,8 +197,8 @@ SurfacePoint point_in_medium(const Ray& ray, float t) {
 void PathWave::place_others() {
   const Geometry& geometry = *context_.transport.scene.geometry;
   for (const std::uint32_t i : wave_.placed_alone) {
-    const SurfacePoint point =
-        is_in_medium(i) ? point_in_medium(wave_.rays[i], wave_.hits[i].t) : surface_at(geometry, wave_.hits[i]);
+    const SurfacePoint point = is_in_medium(i) ? point_in_medium(wave_.rays[i], wave_.hits[i].t)
+                                               : surface_at(geometry, wave_.hits[i]);
     surfaces_.point.position.set(i, point.position);
     surfaces_.point.normal.set(i, point.geometric_normal);
     surfaces_.point.offset[i] = point.offset;

@@ -22,7 +22,7 @@ struct WaveContext {
   LightTransport transport;
   const Passages& passages;  ///< Of the scene; those of `transport`, if there are any.
   const BsdfTable& bsdfs;
-  std::span<const ShapeEntry> shapes;  ///< shape_table().
+  std::span<const ShapeEntry> shapes;   ///< shape_table().
   std::span<const PatchTable> patches;  ///< Of each light.
   std::span<const Lamp> lamps;          ///< Likewise, where there are groups of lights.
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
@@ -134,8 +134,8 @@ class PathWave {
     return !context_.shapes[hit.mesh].positions || hit.instance != no_instance;
   }
   void place_others();
-  /// Surfaces that are not Lambert's, and points in media (integrators/wave/other_surfaces.cpp), in lanes where
-  /// these know their lobes, else alone: finds them before their normals are turned to the viewer,
+  /// Surfaces that are not Lambert's, and points in media (integrators/wave/other_surfaces.cpp), in lanes
+  /// where these know their lobes, else alone: finds them before their normals are turned to the viewer,
   void find_others();
   /// writes their albedos and normals,
   void show_others();

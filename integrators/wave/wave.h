@@ -13,9 +13,9 @@
 #include "core/sampler.h"
 #include "integrators/direct_light.h"
 #include "integrators/interaction.h"
-#include "integrators/wave/columns.h"
 #include "integrators/passages.h"
 #include "integrators/walk_below.h"
+#include "integrators/wave/columns.h"
 #include "integrators/wave/lobe_surfaces.h"
 
 namespace twinray {
@@ -82,7 +82,8 @@ struct Surfaces {
   Words lets_through;    ///< 1 where light from behind counts, as a Receiver has it.
 };
 
-/// A surface that is not Lambert's, or a point in a medium: what it scatters is worked out alone, by the functions of PathReference.
+/// A surface that is not Lambert's, or a point in a medium: what it scatters is worked out alone, by the
+/// functions of PathReference.
 struct OtherSurface {
   std::uint32_t index;  ///< Among the surfaces.
   Interaction at;

@@ -126,7 +126,8 @@ class Cluster:
         """As a machine that loses its power: its daemon, and all that runs on it, the daemons first."""
         self.kill(f"{node}.pid", signal.SIGKILL)
         jobs = self.processes(SLURMD_NODENAME=node)
-        parents = {parent for process in jobs for parent in content(process / "stat").rpartition(")")[2].split()[1:2]}
+        parents = {parent for process in jobs
+                   for parent in content(process / "stat").rpartition(")")[2].split()[1:2]}
         steps = [number for number in parents if content(f"/proc/{number}/comm") == "slurmstepd\n"]
         for number in (*steps, *(process.name for process in jobs)):
             signal_to(number, signal.SIGKILL)

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integrators/medium_column.h"
 
+#include <cmath>
+
 #include "tests/support/catch.h"
+#include "tests/support/random.h"
 
 namespace twinray::test {
 
@@ -19,6 +22,22 @@ TEST_CASE("a column of an even medium is as long as the way, and one of a grid a
   CHECK(MediumColumn(scene, uneven, ray, 9).amount() == Approx(3 * 4));
   CHECK(MediumColumn(scene, uneven, ray, 9).reach(6) == Approx(1 + 2));
   CHECK(MediumColumn(scene, uneven, ray, 9).reach(13) == std::numeric_limits<float>::infinity());
+}
+
+TEST_CASE("a ray that is cut behind a way is no shorter than the way, and hardly longer") {
+  Random random(3);
+  const Scene scene;
+  const Interior even{.absorption = {1, 1, 1}};
+  for (int i = 0; i < 100000; ++i) {
+    const float distance = std::exp(20 * random.unit() - 10);
+    const Ray ray{.direction = random.in_ball() * std::exp(10 * random.unit() - 5),
+                  .t_min = i % 2 == 0 ? 0 : random.unit() * 100};
+    const float t = t_beyond(ray, distance), amount = MediumColumn(scene, even, ray, t).amount();
+    CHECK(amount >= distance);
+    CHECK(amount <= distance * 1.00001f + 1e-6f * t * length(ray.direction));
+  }
+  const Ray ray{.direction = {0, 0, 2}};
+  CHECK(t_beyond(ray, std::numeric_limits<float>::infinity()) == std::numeric_limits<float>::infinity());
 }
 
 }  // namespace twinray::test

@@ -180,9 +180,9 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene media = scene_in_media(), bodies = scene_with_bodies(),
               textured_bodies = textured(scene_with_bodies(), TextureFilter::trilinear);
   const Scene instances = instanced(everything), textured_instances = instanced(textures);
-  const Scene* const scenes[] = {&instances, &textured_instances, &everything, &models, &room,
-                                 &skies,     &textures,           &lamps,      &many,   &interiors,
-                                 &closed,    &media,              &bodies,     &textured_bodies};
+  const Scene* const scenes[] = {
+      &instances, &textured_instances, &everything, &models, &room,   &skies,          &textures, &lamps,
+      &many,      &interiors,          &closed,     &media,  &bodies, &textured_bodies};
   for (std::size_t i = 0; i < std::size(cases); ++i)
     for (std::size_t j = 0; j < std::size(scenes); ++j) {
       // A whole wave, and a part of the next.
@@ -227,24 +227,25 @@ TEST_CASE("what is written of a path adds up to the bits of its sample, as waves
 }
 
 TEST_CASE("a wave of one path records its rays in the order of a path alone") {
-  const Scene scene = scene_of_every_model();
-  const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
-  for (const PathOptions& options : cases) {
-    if (options.samples_per_light > 100) continue;
-    const PathReference reference(scene, options);
-    const PathIntegrator waves(scene, options);
-    for (const CameraSample& sample : samples_of(scene, 40)) {
-      std::vector<RecordedRay> expected, found;
-      Tracer alone(*accelerator, false, &expected), wave(*accelerator, false, &found);
-      CHECK(waves.radiance(sample.ray, SamplerKind::sobol, sample.key, wave) ==
-            reference.radiance(sample.ray, SamplerKind::sobol, sample.key, alone));
-      REQUIRE(found.size() == expected.size());
-      for (std::size_t i = 0; i < found.size(); ++i) {
-        CHECK(found[i].ray.origin == expected[i].ray.origin);
-        CHECK(found[i].ray.direction == expected[i].ray.direction);
-        CHECK(found[i].ray.t_max == expected[i].ray.t_max);
-        CHECK(found[i].kind == expected[i].kind);
-        CHECK(found[i].vertex == expected[i].vertex);
+  for (const Scene& scene : {scene_of_every_model(), scene_in_media(), scene_with_bodies()}) {
+    const auto accelerator = build_accelerator(Backend::bvh, scene.geometry);
+    for (const PathOptions& options : cases) {
+      if (options.samples_per_light > 100) continue;
+      const PathReference reference(scene, options);
+      const PathIntegrator waves(scene, options);
+      for (const CameraSample& sample : samples_of(scene, 40)) {
+        std::vector<RecordedRay> expected, found;
+        Tracer alone(*accelerator, false, &expected), wave(*accelerator, false, &found);
+        CHECK(waves.radiance(sample.ray, SamplerKind::sobol, sample.key, wave) ==
+              reference.radiance(sample.ray, SamplerKind::sobol, sample.key, alone));
+        REQUIRE(found.size() == expected.size());
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          CHECK(found[i].ray.origin == expected[i].ray.origin);
+          CHECK(found[i].ray.direction == expected[i].ray.direction);
+          CHECK(found[i].ray.t_max == expected[i].ray.t_max);
+          CHECK(found[i].kind == expected[i].kind);
+          CHECK(found[i].vertex == expected[i].vertex);
+        }
       }
     }
   }

@@ -17,8 +17,8 @@ Scene scene_of_interiors();
 Scene scene_without_passages();
 /// The same in media that scatter: even ones, one of which camera rays may start in, and an uneven one.
 Scene scene_in_media();
-/// Surfaces of every model, some of which light goes below: closed ones and open ones, in fog and in parts of a
-/// mix.
+/// Surfaces of every model, some of which light goes below: closed ones and open ones, in fog and in parts of
+/// a mix.
 Scene scene_with_bodies();
 /// Lamps, balls and points of light, more of each than are sampled alone, some of them behind surfaces that
 /// let light through.

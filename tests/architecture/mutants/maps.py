@@ -44,7 +44,7 @@ MUTANTS = [
            "has_map(material) ? nullptr : std::get_if<Lambert>(&material.model)",
            "std::get_if<Lambert>(&material.model)", "test_integrators", WAVES),
     Mutant("waves sample light for the normal without its map", "integrators/wave/other_surfaces.cpp",
-           "    surfaces_.shading.set(other.index, other.at.normal());\n", "", "test_integrators", WAVES),
+           "  surfaces_.shading.set(other.index, receiver.normal);\n", "", "test_integrators", WAVES),
     Mutant("unequal widths lie along any axis", "integrators/shading_frame.cpp",
            "return {Frame(shading, facet_tangent(scene, material, point, tangents->du)), is_mapped};",
            "return {Frame(shading), is_mapped};",

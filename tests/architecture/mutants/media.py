@@ -34,6 +34,8 @@ AXES = "rays along the axes, in the planes of a grid, and beside it end well"
 COLUMN = "a column of an even medium is as long as the way, and one of a grid as dense"
 UNEVEN = "a medium of a density that is the same all around is even"
 UNIFORM = "a uniformgrid is a medium whose density lies in its box, in the space of its statement"
+WAVES = "waves of paths have the bits and the rays of paths one after the other"
+BEYOND = "a ray that is cut behind a way is no shorter than the way, and hardly longer"
 
 MUTANTS = [
     Mutant("a grid's cells are integrated by their middles", "core/density_grid.cpp",
@@ -70,10 +72,8 @@ MUTANTS = [
     Mutant("a flight may go by a channel that is dark", "integrators/flight.cpp",
            "while (channel_of(chance_, channel_) == 0) --channel_;", "", "test_integrators", ROUNDED),
     Mutant("media that absorb alone end a flight", "integrators/way.h",
-           "const Material* const medium = flight ? scattering_medium(scene.materials, interiors) : nullptr;",
-           "const auto there = interiors.prevailing(scene.materials);\n"
-           "    const Material* const medium =\n"
-           "        flight && !interiors.empty() ? &scene.materials[there] : nullptr;",
+           "flight ? scattering_medium(scene.materials, interiors) : nullptr;",
+           "flight && !interiors.empty() ? &scene.materials[interiors.prevailing(scene.materials)] : nullptr;",
            "test_integrators", FLIGHT),
     Mutant("a flight's distance is a ray's parameter", "integrators/way.h",
            "flight->distance() / length(ray.direction)", "flight->distance()", "test_integrators", FLIGHT),
@@ -148,7 +148,7 @@ MUTANTS = [
     Mutant("a point is in what a ray from it leaves and enters again", "io/encloses.cpp",
            "return crossings % 2 == 1;", "return crossings > 0;", "test_io", ENCLOSED),
     Mutant("extinctions that no float has distances for are none", "integrators/flight.cpp",
-           "const float amount = own >= least_extinction ?", "const float amount = own > 0 ?",
+           "return own >= least_extinction ?", "return own > 0 ?",
            "test_integrators",
            THIN),
     Mutant("written pbrt: bodies lie in the atmosphere alone", "io/pbrt/writer_media.cpp",
@@ -164,4 +164,30 @@ MUTANTS = [
     Mutant("a replay says of a medium's point that it has a cosine", "cli/replay/text.cpp",
            "  if (!at.is_in_medium())\n    text +=", "  if (at.point().offset >= 0)\n    text +=",
            "test_cli", REPLAYED),
+    Mutant("a wave takes points in media for misses", "integrators/wave/media.cpp",
+           "way.is_scattered ? Hit{.t = way.t_scattered(), .mesh = context_.medium()} : way.hit", "way.hit",
+           "test_integrators", WAVES),
+    Mutant("a wave's paths go on through the media that they are in", "integrators/wave/media.cpp",
+           "    if (context_.has_flights) way.flight = wave_.flights[i];\n", "", "test_integrators", WAVES),
+    Mutant("a wave's paths go on through the media that they come into", "integrators/wave/media.cpp",
+           "if (context_.has_flights && !way.flight)", "if (false)", "test_integrators", WAVES),
+    Mutant("a wave's rays end where they were needed", "integrators/wave/media.cpp",
+           "    way.ray.t_max = std::numeric_limits<float>::infinity();\n", "", "test_integrators", WAVES),
+    Mutant("a wave's paths in media keep the rays of those that end", "integrators/wave/path_ends.cpp",
+           "wave_.rays[k] = wave_.rays[wave_.kept[k]]", "wave_.rays[k] = wave_.rays[k]", "test_integrators",
+           WAVES),
+    Mutant("lanes take points in media for surfaces, before patches", "integrators/wave/receivers-inl.h",
+           "return select(receivers.is_in_medium, hn::Sqrt(dot(towards, towards)), cosine);",
+           "return cosine;", "test_integrators", WAVES),
+    Mutant("lanes take points in media for surfaces, before many lights", "integrators/wave/light_tree-inl.h",
+           "select(receiver.is_in_medium, splat(1), dot(receiver.normal, direction))",
+           "dot(receiver.normal, direction)", "test_integrators", WAVES),
+    Mutant("a wave shows no normal of media", "integrators/wave/layers.cpp",
+           "is_in_medium(i) ? surfaces_.point.normal.at(i) : surfaces_.shading.at(i)",
+           "surfaces_.shading.at(i)", "test_integrators", WAVES),
+    Mutant("rays in media end before their paths do", "integrators/way.h",
+           "t_beyond(ray, flight->reach(*medium))", "t_beyond(ray, 0.5f * flight->reach(*medium))",
+           "test_integrators", ONCE),
+    Mutant("a ray in a medium is a rounding too short", "integrators/medium_column.h",
+           "1 + 0x1p-20f", "1", "test_integrators", BEYOND),
 ]
