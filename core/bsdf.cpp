@@ -55,6 +55,7 @@ struct LobesOf {
     return CoatedConductorLobe(coat(ior, m.coat_roughness), facets(m.roughness), eta, k, m.reflectance);
   }
   Bsdf::Lobes operator()(const Principled& m) const { return PrincipledLobe(m, side == Side::inside); }
+  Bsdf::Lobes operator()(const Hair& m) const { return HairLobe(m); }
   Bsdf::Lobes operator()(const Interface&) const { return PassageLobe{}; }
   Bsdf::Lobes operator()(const Mix&) const { return LambertLobe{}; }
 };

@@ -10,6 +10,7 @@
 #include "core/lobes/coated_diffuse.h"
 #include "core/lobes/cs184_microfacet.h"
 #include "core/lobes/diffuse_transmission.h"
+#include "core/lobes/hair.h"
 #include "core/lobes/lambert.h"
 #include "core/lobes/principled.h"
 #include "core/lobes/rough_conductor.h"
@@ -45,10 +46,11 @@ class Bsdf {
     return std::get_if<Lobe>(&lobes_);
   }
   /// Whether look_from() does anything.
-  bool looks_ahead() const { return as<PrincipledLobe>(); }
+  bool looks_ahead() const { return as<PrincipledLobe>() || as<HairLobe>(); }
   /// Works out beforehand what the next calls with this wo have in common; changes no bit.
   void look_from(const Vec3& wo) {
     if (auto* const lobe = std::get_if<PrincipledLobe>(&lobes_)) lobe->look_from(wo);
+    if (auto* const lobe = std::get_if<HairLobe>(&lobes_)) lobe->look_from(wo);
   }
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const {
     return std::visit([&](const auto& lobe) { return lobe.evaluate(wo, wi); }, lobes_);
@@ -71,7 +73,7 @@ class Bsdf {
       std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe, RefractionLobe,
                    ThinDielectricLobe, PassageLobe, RoughConductorLobe, RoughDielectricLobe,
                    Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe, CoatedDiffuseLobe,
-                   SmoothCoatedConductorLobe, CoatedConductorLobe, PrincipledLobe>;
+                   SmoothCoatedConductorLobe, CoatedConductorLobe, PrincipledLobe, HairLobe>;
 
  private:
   Lobes lobes_;

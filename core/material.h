@@ -138,6 +138,18 @@ struct Principled {
   bool geometry_thin_walled = false;
 };
 
+/// A fibre of hair or fur, on tubes whose first texture coordinate runs along them (core/lobes/hair.h). Light
+/// that goes into one leaves it at once: seen from within, its surface is not there.
+struct Hair {
+  /// The colour that many such fibres have together, components in (0, 1]: what they absorb follows from it.
+  Rgb reflectance{0.5f, 0.27f, 0.1f};
+  float longitudinal_roughness = 0.3f;  ///< In [0, 1]: beta_m,
+  float azimuthal_roughness = 0.3f;     ///< and beta_n. Below least_hair_roughness they are that.
+  float scale_tilt = 2;                 ///< Of the scales on its surface, in degrees.
+  float ior = 1.55f;                    ///< >= 1.
+};
+inline constexpr float least_hair_roughness = 0.02f;
+
 /// No surface at all: light goes straight on. Where an interior begins without a boundary that reflects.
 struct Interface {};
 
@@ -150,7 +162,7 @@ struct Mix {
 
 using SurfaceModel =
     std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor, DiffuseTransmission,
-                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Principled, Interface, Mix>;
+                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Principled, Hair, Interface, Mix>;
 
 /// What of a model a texture may give, point by point: the member of that name. `reflectance` and `roughness`
 /// are Principled's base_color and specular_roughness, too; `roughness_u` and `_v` are the axes of one.

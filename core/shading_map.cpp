@@ -64,6 +64,7 @@ struct IsAnisotropic {
   static bool differ(const Roughness& r) { return r.x != r.y; }
   static bool differ(float) { return false; }
 
+  bool operator()(const Hair&) const { return true; }
   template <typename Model>
   bool operator()(const Model& model) const {
     bool found = false;

@@ -77,7 +77,8 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
       bsdf_(bsdfs.at(material_, point, meeting.side, {viewing.materials, meeting.within})),
       before_(viewing.interiors),
       behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)),
-      side_(meeting.side) {
+      side_(meeting.side),
+      is_fibre_(std::holds_alternative<Hair>(bsdfs.scene().materials[material_].model)) {
   bsdf_.look_from(wo_local_);
 }
 

@@ -98,8 +98,9 @@ class Interaction {
     if (!shading_.is_mapped) return 1;
     return shadow_terminator(std::fabs(dot(facing_normal_, wi)), dot(facing_normal_, shading_.frame.normal));
   }
-  /// Whether a direction lies on one side of both the shading and the geometric normal.
+  /// Whether a direction lies on one side of both the shading and the geometric normal; a fibre has no sides.
   bool is_consistent(const Vec3& wi) const {
+    if (is_fibre_) return true;
     return (dot(facing_normal_, wi) > 0) == (dot(shading_.frame.normal, wi) > 0);
   }
 
@@ -150,6 +151,7 @@ class Interaction {
   Interiors before_, behind_;
   Part part_ = Part::whole;
   Side side_ = Side::outside;
+  bool is_fibre_ = false;
 };
 
 }  // namespace twinray

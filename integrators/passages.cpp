@@ -2,16 +2,28 @@
 #include "integrators/passages.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
+
+#include "integrators/interaction.h"
 
 namespace twinray {
 
+Passages::Kind Passages::kind_of(const SurfaceModel& model) {
+  if (std::holds_alternative<Interface>(model)) return Kind::interface;
+  return std::holds_alternative<Hair>(model) ? Kind::fibre : Kind::none;
+}
+
 Passages::Passages(const Scene& scene) : scene_(scene) {
-  const auto is_passage = [&](const ShapeBinding& binding) {
-    return std::holds_alternative<Interface>(scene.materials[binding.material].model);
-  };
-  if (std::none_of(scene.bindings.begin(), scene.bindings.end(), is_passage)) return;
-  for (const ShapeBinding& binding : scene.bindings) is_passage_.push_back(is_passage(binding));
+  std::vector<Kind> kinds;
+  for (const ShapeBinding& binding : scene.bindings)
+    kinds.push_back(kind_of(scene.materials[binding.material].model));
+  if (std::any_of(kinds.begin(), kinds.end(), [](Kind kind) { return kind != Kind::none; }))
+    kinds_ = std::move(kinds);
+}
+
+bool Passages::is_from_within(const Ray& ray, const Hit& hit) const {
+  return side_of(surface_at(*scene_.geometry, hit), -ray.direction) == Side::inside;
 }
 
 void Passages::follow(Tracer& tracer, Way& way) const {
@@ -28,7 +40,7 @@ Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors&
 
 bool PassingRay::goes_on(const Hit& hit) {
   way_.hit = hit;
-  if (!passages_->is_one(hit)) return false;
+  if (!passages_->is_one(way_.ray, hit)) return false;
   if (!way_.goes_on(passages_->scene(), hit.t)) return false;
   through_.pass(hit, way_.ray);
   way_.interiors = through_.interiors();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces that are not there: light goes straight through an Interface, from one interior into another. Rays
-// pass them on their way; they are no vertices of paths, and hide no light.
+// Surfaces that are not there: light goes straight through an Interface, from one interior into another, and
+// through the surface of a Hair that it comes to from within. Rays pass them on their way; they are no vertices
+// of paths, and hide no light.
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "core/interiors.h"
@@ -18,8 +20,13 @@ class Passages {
   explicit Passages(const Scene& scene);
 
   /// Whether the scene has none.
-  bool empty() const { return is_passage_.empty(); }
-  bool is_one(const Hit& hit) const { return !empty() && !hit.is_miss() && is_passage_[hit.mesh]; }
+  bool empty() const { return kinds_.empty(); }
+  /// Whether a ray has hit one.
+  bool is_one(const Ray& ray, const Hit& hit) const {
+    if (empty() || hit.is_miss()) return false;
+    const Kind kind = kinds_[hit.mesh];
+    return kind == Kind::interface || (kind == Kind::fibre && is_from_within(ray, hit));
+  }
   const Scene& scene() const { return scene_; }
 
   /// Follows a ray of a path through all passages, to the first surface that is there, or to none; to the
@@ -29,8 +36,16 @@ class Passages {
   Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const;
 
  private:
+  enum class Kind : std::uint8_t {
+    none,
+    interface,  ///< On both sides,
+    fibre       ///< or to who comes from within.
+  };
+  static Kind kind_of(const SurfaceModel& model);
+  bool is_from_within(const Ray& ray, const Hit& hit) const;
+
   const Scene& scene_;
-  std::vector<bool> is_passage_;  ///< By shape; empty where none is.
+  std::vector<Kind> kinds_;  ///< Of the shapes; empty where all are none.
 };
 
 /// A ray on its way through passages, from one hit to the next.

@@ -20,6 +20,7 @@ Vec3 usable(const Vec3& normal, const Vec3& wo, const Vec3& facing_normal) {
 bool is_glossy(const Material& material) {
   return !std::holds_alternative<Lambert>(material.model) &&
          !std::holds_alternative<RoughDiffuse>(material.model) &&
+         !std::holds_alternative<Hair>(material.model) &&
          !std::holds_alternative<DiffuseTransmission>(material.model);
 }
 

@@ -26,7 +26,7 @@ void PathWave::fly() {
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
     const Interiors interiors = paths_.interiors_at(i);
-    const bool passes = context_.passages.is_one(hit);
+    const bool passes = context_.passages.is_one(wave_.rays[i], hit);
     if (interiors.empty() && !passes) continue;
     Way way{wave_.rays[i], hit, interiors};
     way.ray.t_max = std::numeric_limits<float>::infinity();
@@ -59,7 +59,7 @@ void PathWave::connect_through_passages() {
   wave_.passing.clear();
   for (std::size_t k = 0; k < size; ++k) {
     const Way way{connections_.rays[k], connections_.hits[k], interiors_of(k)};
-    if (context_.passages.is_one(way.hit))
+    if (context_.passages.is_one(way.ray, way.hit))
       wave_.passing.emplace_back(connections_.surface[k], context_.passages, way);
     else
       connections_.arriving.set(connections_.surface[k], visibility(context_.transport.scene, way));

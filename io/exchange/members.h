@@ -38,6 +38,7 @@ inline const char* type_name(const RoughDiffuse&) { return "rough_diffuse"; }
 inline const char* type_name(const CoatedDiffuse&) { return "coated_diffuse"; }
 inline const char* type_name(const CoatedConductor&) { return "coated_conductor"; }
 inline const char* type_name(const Principled&) { return "openpbr"; }
+inline const char* type_name(const Hair&) { return "hair"; }
 inline const char* type_name(const Interface&) { return "interface"; }
 inline const char* type_name(const Mix&) { return "mix"; }
 // and of lights.
@@ -180,6 +181,14 @@ template <typename Visit>
 void members(const Visit& visit, RoughDiffuse& m) {
   visit("reflectance", m.reflectance, Valid::part);
   visit("roughness", m.roughness, Valid::part);
+}
+template <typename Visit>
+void members(const Visit& visit, Hair& m) {
+  visit("reflectance", m.reflectance, Valid::part);
+  visit("longitudinal_roughness", m.longitudinal_roughness, Valid::part);
+  visit("azimuthal_roughness", m.azimuthal_roughness, Valid::part);
+  visit("scale_tilt", m.scale_tilt, Valid::any);
+  visit("ior", m.ior, Valid::at_least_one);
 }
 template <typename Visit>
 void members(const Visit& visit, CoatedDiffuse& m) {

@@ -29,7 +29,7 @@ SurfaceModel read_model(const Entry& entry) {
   return described_by<SurfaceModel>(
       entry, {Lambert{}, Mirror{}, Refraction{}, Glass{}, Microfacet{}, Dielectric{},
               Dielectric{.is_thin = true}, Conductor{}, DiffuseTransmission{}, RoughDiffuse{},
-              CoatedDiffuse{}, CoatedConductor{}, Principled{}, Interface{}, Mix{}});
+              CoatedDiffuse{}, CoatedConductor{}, Principled{}, Hair{}, Interface{}, Mix{}});
 }
 
 LightSource read_source(const Entry& entry) {

@@ -97,6 +97,10 @@ class StandIn {
     name("diffuse surface, through which no light goes", "diffuse surfaces, through which no light goes");
     make_diffuse(model.reflectance);
   }
+  void take(const Hair& model) {
+    name("diffuse surface", "diffuse surfaces");
+    make_diffuse(model.reflectance);
+  }
   void take(const Mirror& model) {
     name("smooth metal", "smooth metals");
     make_metal(model.reflectance, {});

@@ -74,6 +74,7 @@ Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) 
 
 void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& parameters,
                             const PbrtState& state) {
+  context_.has_fibres = std::holds_alternative<Hair>(materials_.materials[state.material].model);
   auto shape = read_shape(type, parameters, context_);
   const std::uint32_t alpha = materials_.textures.alpha(parameters);
   if (!shape) return;

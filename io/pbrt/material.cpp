@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/elementary.h"
+#include "core/lobes/hair.h"
 #include "core/microfacet.h"
 #include "core/nested_mixes.h"
 #include "core/phase_function.h"
@@ -187,26 +188,23 @@ SurfaceModel instead(const PbrtMaterialInputs& in, const char* what, const char*
 }
 
 /// What fibres absorb, by their pigments, as pbrt has it.
-Rgb hair_absorption(const PbrtMaterialInputs& in) {
+Rgb pigments_of(const PbrtMaterialInputs& in) {
   if (in.has("sigma_a")) return in.color("sigma_a", {}, ColorRole::unbounded);
   const bool has_pigments = in.has("eumelanin") || in.has("pheomelanin");
-  return Rgb{0.419f, 0.697f, 1.37f} * in.parameters.real("eumelanin", has_pigments ? 0 : 1.3f, {0, 1e6}) +
-         Rgb{0.187f, 0.4f, 1.05f} * in.parameters.real("pheomelanin", 0, {0, 1e6});
-}
-
-/// The colour that many such fibres have together (Chiang et al., "A Practical and Controllable Hair and Fur
-/// Model for Production Path Tracing", 2016, equation 9, solved for the colour).
-Rgb hair_color(const Rgb& absorption, float beta) {
-  const float reach =
-      5.969f + beta * (-0.215f + beta * (2.532f + beta * (-10.73f + beta * (5.574f + beta * 0.245f))));
-  const auto channel = [&](float a) { return std::min(exp_of(-reach * std::sqrt(a)), 1.0f); };
-  return {channel(absorption.r), channel(absorption.g), channel(absorption.b)};
+  return Rgb{0.419f, 0.697f, 1.37f} * in.number("eumelanin", has_pigments ? 0 : 1.3f, {0, 1e6}) +
+         Rgb{0.187f, 0.4f, 1.05f} * in.number("pheomelanin", 0, {0, 1e6});
 }
 
 SurfaceModel read_hair(const PbrtMaterialInputs& in) {
-  for (const char* known : {"eta", "beta_m", "alpha"}) in.parameters.find(known);
-  const Rgb color = hair_color(hair_absorption(in), in.parameters.real("beta_n", 0.3f, {0, 1}));
-  return instead(in, "hair", "a diffuse surface", Lambert{in.color("reflectance", in.color("color", color))});
+  Hair hair;
+  hair.longitudinal_roughness = in.number("beta_m", hair.longitudinal_roughness, {0, 1});
+  hair.azimuthal_roughness = in.number("beta_n", hair.azimuthal_roughness, {0, 1});
+  hair.scale_tilt = in.number("alpha", hair.scale_tilt, {-45, 45});
+  hair.ior = in.parameters.real("eta", hair.ior, {1, 100});
+  hair.reflectance = hair_reflectance(pigments_of(in), hair.azimuthal_roughness);
+  for (const char* name : {"color", "reflectance"})
+    hair.reflectance = in.color(name, hair.reflectance, MaterialInput::reflectance, InputMeaning::value);
+  return hair;
 }
 
 SurfaceModel read_measured(const PbrtMaterialInputs& in) {

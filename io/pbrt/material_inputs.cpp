@@ -49,10 +49,11 @@ Rgb PbrtMaterialInputs::color(const char* name, const Rgb& fallback, MaterialInp
   return within_unit(use(*found, PictureChannels::color, input, meaning).mean);
 }
 
-float PbrtMaterialInputs::number(const char* name, float fallback) const {
+float PbrtMaterialInputs::number(const char* name, float fallback, const NumberRange& range) const {
   const PbrtParameter* found = parameters.find(name);
-  if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
-  return use(*found, PictureChannels::number, input_named(name)).mean.r;
+  if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback, range);
+  const float mean = use(*found, PictureChannels::number, input_named(name)).mean.r;
+  return std::clamp(mean, float(range.least), float(range.most));
 }
 
 Rgb PbrtMaterialInputs::k_of_reflectance(const PbrtParameter& reflectance) const {

@@ -68,6 +68,9 @@ class StandIn {
   SurfaceModel of(const RoughDiffuse& model) {
     return instead("diffuse surface", "diffuse surfaces", Lambert{model.reflectance});
   }
+  SurfaceModel of(const Hair& model) {
+    return instead("diffuse surface", "diffuse surfaces", Lambert{model.reflectance});
+  }
   SurfaceModel of(const Mirror& model) {
     use_as_metal();
     return instead("smooth conductor", "smooth conductors", Conductor{white, metal_k(model.reflectance)});
