@@ -203,6 +203,7 @@ BsdfSample HairLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   const SinCos around = sincos(azimuth);
   const float cos_to = cosine_of(sin_to);
   const Vec3 wi{sin_to, cos_to * around.sin, cos_to * around.cos};
+  if (wi.z == 0) return {};
   const auto [value, pdf] = evaluate(wo, wi);
   return {.wi = wi, .value = value, .pdf = pdf};
 }

@@ -59,7 +59,8 @@ TEST_CASE("light from behind is scattered by those that let light through, and b
   const SurfaceModel models[] = {
       Lambert{},        Mirror{},        Microfacet{},          Conductor{.roughness = {0.3f, 0.3f}},
       RoughDiffuse{},   CoatedDiffuse{}, CoatedConductor{},     Principled{},
-      Dielectric{1.5f}, clear,           DiffuseTransmission{}, Dielectric{1.5f, {0.3f, 0.3f}}};
+      Dielectric{1.5f}, clear,           DiffuseTransmission{}, Dielectric{1.5f, {0.3f, 0.3f}},
+      Hair{}};
   int through = 0;
   for (const SurfaceModel& model : models) {
     const Bsdf bsdf(model);
@@ -76,7 +77,7 @@ TEST_CASE("light from behind is scattered by those that let light through, and b
     CHECK(is_seen == bsdf.lets_light_through());
     through += is_seen;
   }
-  CHECK(through == 3);
+  CHECK(through == 4);
 }
 
 TEST_CASE("facets narrower than a thousandth are smooth, and wider ones near that look smooth") {

@@ -62,6 +62,63 @@ TEST_CASE("a ray that passes interfaces stays the same ray, and begins behind th
   CHECK(luminance(passages.visibility(tracer, shadow_ray, {})) == Approx(left_of(0.25)));
 }
 
+TEST_CASE("a ray in a medium is searched as far as its path goes") {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.materials = {{"wall", Lambert{}}, {.name = "fog", .model = Interface{}}};
+  scene.materials[1].interior = {.absorption = {0.1f, 0.1f, 0.1f}, .scattering = {0.5f, 0.2f, 0.9f}};
+  scene.bindings = {{0}};
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{ball_of(1)});
+  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+  Tracer tracer(*engine, false);
+  const Passages passages(scene);
+  Interiors fog;
+  fog.enter(1);
+  int scattered = 0;
+  constexpr int draws = 500;
+  for (int i = 0; i < draws; ++i) {
+    const Ray ray{.origin = {0, 0, 3}, .direction = {0, 0, -0.5f}};
+    Way way{ray, {}, fog};
+    way.flight.emplace(Rgb{1, 1, 1}, (float(i) + 0.5f) / draws);
+    Way whole = way;
+    whole.hit = tracer.bounce_hit(ray);
+    REQUIRE(whole.hit.t == Approx(4));
+    whole.ends(scene);
+    PassingRay needed(passages, way);
+    CHECK(needed.ray().t_max >= 0);
+    CHECK_FALSE(needed.goes_on(tracer.bounce_hit(needed.ray())));
+    Way found = needed.way();
+    found.ends(scene);
+    CHECK(found.is_scattered == whole.is_scattered);
+    CHECK(found.weight() == whole.weight());
+    if (found.is_scattered) {
+      CHECK(found.t_scattered() == whole.t_scattered());
+      CHECK(found.hit.is_miss());
+    }
+    scattered += found.is_scattered;
+  }
+  CHECK((scattered > draws / 4 && scattered < 3 * draws / 4 + draws / 8));
+}
+
+TEST_CASE("light that has come into a fibre leaves it at once, and is hidden by it from outside") {
+  Scene scene = scene_of({}, {}, {0, 0, 3}, {0, 0, 0});
+  scene.materials = {{"fibre", Hair{}}, {"wall", Lambert{}}};
+  scene.bindings = {{0}, {1}};
+  scene.geometry = std::make_shared<const Geometry>(std::vector<Shape>{ball_of(1), ball_of(2)});
+  const auto engine = build_accelerator(Backend::brute_force, scene.geometry);
+  Tracer tracer(*engine, false);
+  const Passages passages(scene);
+  const Ray inside{.origin = {0, 0, 0.5f}, .direction = {0, 0, -1}};
+  Way way{inside, tracer.bounce_hit(inside), {}};
+  REQUIRE(way.hit.mesh == 0);
+  passages.follow(tracer, way);
+  CHECK(way.hit.mesh == 1);
+  CHECK(way.hit.t == Approx(2.5));
+  const Ray outside{.origin = {0, 0, 1.5f}, .direction = {0, 0, -1}, .t_max = 1};
+  CHECK(passages.visibility(tracer, outside, {}) == Rgb{});
+  const Ray out{.origin = {0, 0, 0.5f}, .direction = {0, 0, 1}, .t_max = 1};
+  CHECK(passages.visibility(tracer, out, {}) == Rgb{1, 1, 1});
+}
+
 TEST_CASE("an interface hides nothing that lies just behind it") {
   const auto large = [](const char* name, float z) {
     return Mesh{

@@ -198,7 +198,12 @@ TEST_CASE("waves have the bits of paths that choose from many lights by power, a
   const Scene lit = scene_of_many_lights();
   Scene dark = small_room();
   for (int i = 0; i < 9; ++i) add_light(dark, PointLight{{0.1f * float(i), 0.5f, 0}, {0, 0, 0}, {}});
+  // Where media scatter, too, a tree chooses.
+  Scene foggy = lit;
+  foggy.materials.push_back({.name = "fog", .model = Interface{}});
+  foggy.materials.back().interior = {.scattering = {0.9f, 0.6f, 0.3f}};
   for (const SamplerKind kind : samplers) {
+    check_bits(foggy, {}, 500, kind);
     check_bits(lit, {.many_lights = ManyLights::power}, 500, kind);
     check_bits(dark, {}, 200, kind);
   }

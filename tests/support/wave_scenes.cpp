@@ -205,6 +205,8 @@ Scene scene_in_media() {
     interior.anisotropy = 0.2f * float(next % 7) - 0.6f;
     if (next++ == 3) interior.density = 0;
   }
+  add_models(scene, {Hair{}, Hair{.reflectance = white, .longitudinal_roughness = 0.1f}});
+  add_ball(scene, std::uint32_t(scene.materials.size() - 1), {{0.4f, 0.3f, 0.2f}, 0.3f});
   scene.materials.push_back({.name = "fog", .model = Interface{}});
   scene.materials.back().interior = {.scattering = {0.4f, 0.1f, 0.7f}};
   check_scene(scene);

@@ -15,7 +15,8 @@ Scene scene_of_every_model();
 Scene scene_of_interiors();
 /// The same without surfaces that are not there.
 Scene scene_without_passages();
-/// The same in media that scatter: even ones, one of which camera rays may start in, and an uneven one.
+/// The same in media that scatter: even ones, one of which camera rays may start in, and an uneven one; and
+/// surfaces of hair.
 Scene scene_in_media();
 /// Surfaces of every model, some of which light goes below: closed ones and open ones, in fog and in parts of
 /// a mix.

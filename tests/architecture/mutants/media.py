@@ -34,6 +34,8 @@ AXES = "rays along the axes, in the planes of a grid, and beside it end well"
 COLUMN = "a column of an even medium is as long as the way, and one of a grid as dense"
 UNEVEN = "a medium of a density that is the same all around is even"
 UNIFORM = "a uniformgrid is a medium whose density lies in its box, in the space of its statement"
+MANY = "waves have the bits of paths that choose from many lights by power, and from lights without any"
+SEARCHED = "a ray in a medium is searched as far as its path goes"
 WAVES = "waves of paths have the bits and the rays of paths one after the other"
 BEYOND = "a ray that is cut behind a way is no shorter than the way, and hardly longer"
 
@@ -181,13 +183,13 @@ MUTANTS = [
            "return cosine;", "test_integrators", WAVES),
     Mutant("lanes take points in media for surfaces, before many lights", "integrators/wave/light_tree-inl.h",
            "select(receiver.is_in_medium, splat(1), dot(receiver.normal, direction))",
-           "dot(receiver.normal, direction)", "test_integrators", WAVES),
+           "dot(receiver.normal, direction)", "test_integrators", MANY),
     Mutant("a wave shows no normal of media", "integrators/wave/layers.cpp",
            "is_in_medium(i) ? surfaces_.point.normal.at(i) : surfaces_.shading.at(i)",
            "surfaces_.shading.at(i)", "test_integrators", WAVES),
     Mutant("rays in media end before their paths do", "integrators/way.h",
            "t_beyond(ray, flight->reach(*medium))", "t_beyond(ray, 0.5f * flight->reach(*medium))",
-           "test_integrators", ONCE),
+           "test_integrators", SEARCHED),
     Mutant("a ray in a medium is a rounding too short", "integrators/medium_column.h",
            "1 + 0x1p-20f", "1", "test_integrators", BEYOND),
 ]

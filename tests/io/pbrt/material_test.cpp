@@ -253,10 +253,11 @@ TEST_CASE("named materials may be used before they are made, and a mix is of tho
             .find("a mix is of materials that are made before it; \"m\" is not") != std::string::npos);
 }
 
-TEST_CASE("a surface that stands for hair has the colour of its pigments") {
+TEST_CASE("hair has the colour of its pigments, and pbrt's roughnesses") {
   const auto color = [](const std::string& parameters) {
     const LoadedScene loaded = load_pbrt_world("Material \"hair\" " + parameters);
-    return std::get<Lambert>(loaded.scene.materials.at(1).model).reflectance;
+    CHECK(loaded.warnings.empty());
+    return std::get<Hair>(loaded.scene.materials.at(1).model).reflectance;
   };
   const Rgb black = color("\"float eumelanin\" 8"), blonde = color("\"float eumelanin\" 0.2"),
             red = color("\"float pheomelanin\" 2"), brown = color("");
@@ -268,10 +269,29 @@ TEST_CASE("a surface that stands for hair has the colour of its pigments") {
   CHECK(max_component(black) < max_component(brown));
   CHECK(color("\"rgb sigma_a\" [ 0 0 0 ]") == Rgb{1, 1, 1});
   CHECK(color("\"rgb reflectance\" [ 0.5 0.25 0.125 ]") == Rgb{0.5f, 0.25f, 0.125f});
+  CHECK(color("\"rgb color\" [ 0.5 0.25 0.125 ]") == Rgb{0.5f, 0.25f, 0.125f});
+  const LoadedScene loaded = load_pbrt_world(
+      "Material \"hair\" \"float beta_m\" 0.25 \"float beta_n\" 0.5 \"float alpha\" 3 \"float eta\" 1.5");
+  const Hair hair = std::get<Hair>(loaded.scene.materials.at(1).model);
+  CHECK(hair.longitudinal_roughness == 0.25f);
+  CHECK(hair.azimuthal_roughness == 0.5f);
+  CHECK(hair.scale_tilt == 3);
+  CHECK(hair.ior == 1.5f);
+  CHECK(pbrt_error("Material \"hair\" \"float beta_m\" 1.5").find("beta_m") != std::string::npos);
+}
+
+TEST_CASE("hair's reflectance may be a texture's, and its curves are round") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"hair\" \"texture reflectance\" \"t\" "
+      "Shape \"curve\" \"point3 P\" [ 0 0 0  0 0 1  0 0 2  0 0 3 ] "
+      "Material \"diffuse\" Shape \"curve\" \"point3 P\" [ 0 0 0  0 0 1  0 0 2  0 0 3 ]");
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.materials.at(1).textures.size() == 1);
+  CHECK(loaded.scene.materials[1].textures[0].input == MaterialInput::reflectance);
+  CHECK(loaded.scene.geometry->mesh(0)->triangles.size() == 2 * loaded.scene.geometry->mesh(1)->triangles.size());
 }
 
 TEST_CASE("what is not rendered is named, with what stands for it") {
-  CHECK(warning_of("Material \"hair\"") == "hair is not rendered; a diffuse surface stands for it");
   CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
         "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
   CHECK(pbrt_error("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
