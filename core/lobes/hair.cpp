@@ -30,7 +30,7 @@ float angle_of(float sine, float cosine) {
   return float((turns > 0.5 ? turns - 1 : turns) * 6.283185307179586);
 }
 
-SinCos sincos(float radians) {
+SinCos sincos_of(float radians) {
   const double turns = double(radians) * turns_per_radian;
   return sincos_turns(float(turns - std::floor(turns)));
 }
@@ -46,9 +46,9 @@ float scaled_bessel(float x) {
   if (t < 1) {
     const float s = t * t;
     return exp_of(-x) *
-           (1 + s * (3.5156229f +
-                     s * (3.0899424f +
-                          s * (1.2067492f + s * (0.2659732f + s * (0.0360768f + s * 0.0045813f))))));
+           (1 +
+            s * (3.5156229f +
+                 s * (3.0899424f + s * (1.2067492f + s * (0.2659732f + s * (0.0360768f + s * 0.0045813f))))));
   }
   const float r = 1 / t;
   const float series =
@@ -100,7 +100,7 @@ HairLobe::HairLobe(const Hair& model)
 
 HairLobe::Spread HairLobe::spread(float variance, float tilt_degrees) const {
   return {variance, 1 / (variance * (1 - exp_of(-2 / variance))),
-          sincos(float(double(tilt_degrees) * radians_per_degree))};
+          sincos_of(float(double(tilt_degrees) * radians_per_degree))};
 }
 
 void HairLobe::attenuate(float cosine, float way, Seen& at) const {
@@ -133,13 +133,14 @@ HairLobe::Seen HairLobe::seen(const Vec3& wo) const {
   const float gamma = angle_of(sin_gamma, cosine_of(sin_gamma));
   // Within the fibre, seen along its axis, light is refracted by an index of its own.
   const float cos_within = cosine_of(at.sine / ior_);
-  const float ior_across = std::sqrt(std::max(ior_ * ior_ - at.sine * at.sine, 1e-8f)) /
-                           std::max(at.cosine, 1e-4f);
+  const float ior_across =
+      std::sqrt(std::max(ior_ * ior_ - at.sine * at.sine, 1e-8f)) / std::max(at.cosine, 1e-4f);
   const float sin_gamma_within = std::clamp(sin_gamma / ior_across, -1.0f, 1.0f);
   const float gamma_within = angle_of(sin_gamma_within, cosine_of(sin_gamma_within));
   for (std::size_t p = 0; p < at.turns.size(); ++p)
     at.turns[p] = 2 * float(p) * gamma_within - 2 * gamma + float(p) * pi;
-  attenuate(at.cosine * cosine_of(sin_gamma), 2 * cosine_of(sin_gamma_within) / std::max(cos_within, 1e-4f), at);
+  attenuate(at.cosine * cosine_of(sin_gamma), 2 * cosine_of(sin_gamma_within) / std::max(cos_within, 1e-4f),
+            at);
   for (std::size_t p = 0; p < lobes; ++p) {
     at.tilted[p] = sum_of({at.sine, at.cosine}, spreads_[p].tilt);
     at.tilted[p].cos = std::fabs(at.tilted[p].cos);
@@ -188,10 +189,12 @@ BsdfSample HairLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   // By the cosine to the direction of the lobe's mirror, then around that.
   const Spread& spread = spreads_[p];
   const float narrow = exp_of(-2 / spread.variance);
-  const float cosine = std::max(1 + spread.variance * log_of(std::max(u.x, 0x1p-24f) + (1 - u.x) * narrow), -1.0f);
+  const float cosine =
+      std::max(1 + spread.variance * log_of(std::max(u.x, 0x1p-24f) + (1 - u.x) * narrow), -1.0f);
   const float sine = cosine_of(cosine);
   const SinCos& tilted = at.tilted[p];
-  const float sin_to = std::clamp(-cosine * tilted.sin + sine * sincos_turns(u.y).cos * tilted.cos, -1.0f, 1.0f);
+  const float sin_to =
+      std::clamp(-cosine * tilted.sin + sine * sincos_turns(u.y).cos * tilted.cos, -1.0f, 1.0f);
   float azimuth = at.azimuth;
   if (p < at.turns.size()) {
     const float within = std::max(rest * inside_ + below_, 1e-30f);
@@ -200,7 +203,7 @@ BsdfSample HairLobe::sample(const Vec3& wo, float lobe, Vec2 u) const {
   } else {
     azimuth += 2 * pi * rest;
   }
-  const SinCos around = sincos(azimuth);
+  const SinCos around = sincos_of(azimuth);
   const float cos_to = cosine_of(sin_to);
   const Vec3 wi{sin_to, cos_to * around.sin, cos_to * around.cos};
   if (wi.z == 0) return {};

@@ -10,12 +10,12 @@
 namespace twinray {
 
 /// Light at a fibre: reflected by its surface (R), let through (TT), let through after a reflection within
-/// (TRT), or after more of them. Each of the four lobes is a product: how light spreads along the fibre, around
-/// it, and how much of it there is (Chiang et al., "A Practical and Controllable Hair and Fur Model for
-/// Production Path Tracing", 2016; the form of pbrt's book, 4th edition, 9.9).
+/// (TRT), or after more of them. Each of the four lobes is a product: how light spreads along the fibre,
+/// around it, and how much of it there is (Chiang et al., "A Practical and Controllable Hair and Fur Model
+/// for Production Path Tracing", 2016; the form of pbrt's book, 4th edition, 9.9).
 ///
-/// The frame's x axis runs along the fibre, towards its tip; z is the normal of a round fibre, so that wo says
-/// how far from the fibre's axis light meets it. Light goes on from the same point on all sides.
+/// The frame's x axis runs along the fibre, towards its tip; z is the normal of a round fibre, so that wo
+/// says how far from the fibre's axis light meets it. Light goes on from the same point on all sides.
 class HairLobe {
  public:
   explicit HairLobe(const Hair& model);
@@ -37,11 +37,11 @@ class HairLobe {
   };
   /// What is known of a direction to the viewer.
   struct Seen {
-    float sine, cosine;                    ///< Of its angle to the plane across the fibre.
-    float azimuth;                         ///< Around the fibre from z, in radians.
-    std::array<float, lobes - 1> turns;    ///< By how much a ray along the axis of each lobe is turned around.
-    std::array<SinCos, lobes> tilted;      ///< The angle to that plane from which each lobe is a reflection.
-    std::array<Rgb, lobes> attenuations;   ///< What each lobe keeps of the light,
+    float sine, cosine;                   ///< Of its angle to the plane across the fibre.
+    float azimuth;                        ///< Around the fibre from z, in radians.
+    std::array<float, lobes - 1> turns;   ///< By how much a ray along the axis of each lobe is turned around.
+    std::array<SinCos, lobes> tilted;     ///< The angle to that plane from which each lobe is a reflection.
+    std::array<Rgb, lobes> attenuations;  ///< What each lobe keeps of the light,
     std::array<float, lobes> probability;  ///< and that it is chosen.
   };
   Seen seen(const Vec3& wo) const;
@@ -54,7 +54,7 @@ class HairLobe {
   Rgb reflectance_, absorption_;
   float ior_;
   std::array<Spread, lobes> spreads_;
-  float width_;  ///< s of the logistic distribution around the fibre,
+  float width_;   ///< s of the logistic distribution around the fibre,
   float inside_;  ///< what of it lies within half a turn to either side,
   float below_;   ///< and what lies below that.
   std::optional<Seen> seen_;

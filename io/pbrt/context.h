@@ -14,7 +14,7 @@ struct PbrtContext {
   PbrtFiles files;
   LoadOptions options;
   WarningList warnings{options.strict};
-  bool has_fibres = false;  ///< Of the current material: its curves are round.
+  bool has_fibres = false;              ///< Of the current material: its curves are round.
   std::vector<std::string> notes = {};  ///< Of the summary: decisions that change the picture little.
 };
 

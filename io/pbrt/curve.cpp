@@ -113,7 +113,20 @@ void add_ring(const Section& section, const Vec3& across, int sides, Mesh& mesh)
   }
 }
 
-Mesh tube(const std::vector<Section>& sections, int sides) {
+/// Closes a tube at its first or its last ring.
+void add_end(const Section& section, std::uint32_t first, int sides, bool is_last, Mesh& mesh) {
+  const auto begin = std::uint32_t(mesh.positions.size());
+  for (std::uint32_t k = 0; k < std::uint32_t(sides); ++k) {
+    mesh.positions.push_back(mesh.positions[first + k]);
+    mesh.normals.push_back(is_last ? section.along : -section.along);
+    mesh.uvs.push_back(mesh.uvs[first + k]);
+    if (k < 2) continue;
+    const std::uint32_t a = begin + k - 1, b = begin + k;
+    mesh.triangles.push_back(is_last ? Triangle{begin, a, b} : Triangle{begin, b, a});
+  }
+}
+
+Mesh tube(const std::vector<Section>& sections, int sides, bool has_ends) {
   Mesh mesh;
   Vec3 across = perpendicular(sections[0].along);
   for (const Section& section : sections) {
@@ -122,7 +135,11 @@ Mesh tube(const std::vector<Section>& sections, int sides) {
     across = length(kept) > 1e-3f ? normalize(kept) : perpendicular(section.along);
     add_ring(section, across, sides, mesh);
   }
+  const auto last = std::uint32_t(mesh.positions.size()) - std::uint32_t(sides) - 1;
   join_rings(std::uint32_t(sides) + 1, mesh);
+  if (!has_ends) return mesh;
+  add_end(sections.front(), 0, sides, false, mesh);
+  add_end(sections.back(), last, sides, true, mesh);
   return mesh;
 }
 
@@ -152,8 +169,9 @@ std::size_t segments_of(CurveBasis basis, int degree, std::size_t points) {
 
 Mesh curve_mesh(const Curve& curve) {
   const std::vector<Section> sections = sections_of(curve);
-  Mesh mesh = curve.kind == CurveKind::ribbon ? ribbon(sections)
-                                              : tube(sections, curve.kind == CurveKind::flat ? 4 : 8);
+  Mesh mesh = curve.kind == CurveKind::ribbon
+                  ? ribbon(sections)
+                  : tube(sections, curve.kind == CurveKind::flat ? 4 : 8, curve.has_ends);
   mesh.normal_indices = mesh.uv_indices = mesh.triangles;
   return mesh;
 }

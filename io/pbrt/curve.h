@@ -23,6 +23,7 @@ struct Curve {
   std::vector<Vec3> points;        ///< As many as segments_of() takes.
   float width0 = 1, width1 = 1;    ///< At the beginning and the end: across all of it; >= 0.
   std::vector<Vec3> normals = {};  ///< Of a ribbon, one more than segments.
+  bool has_ends = false;           ///< A tube is closed at its ends.
 };
 
 /// How many segments so many points make; 0 where they are no curve.
@@ -30,7 +31,7 @@ std::size_t segments_of(CurveBasis basis, int degree, std::size_t points);
 
 /// Triangles whose texture coordinates run along the curve (u) and around or across it (v). A segment is cut
 /// into steps that lie within a fiftieth of its width, or 0.004 of its control polygon's length, whichever is
-/// more; 32 at most. The ends of tubes are open.
+/// more; 32 at most. The ends of tubes are open, unless the curve has ends.
 Mesh curve_mesh(const Curve& curve);
 
 }  // namespace twinray

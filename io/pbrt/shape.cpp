@@ -89,7 +89,7 @@ std::optional<PbrtShape> read_subdivision(const PbrtParameters& parameters, Pbrt
 
 std::optional<PbrtShape> read_curve(const PbrtParameters& parameters, PbrtContext& context) {
   Curve curve = read_curve_points(parameters, context.warnings);
-  if (context.has_fibres) curve.kind = CurveKind::cylinder;
+  if (context.has_fibres) curve.kind = CurveKind::cylinder, curve.has_ends = true;
   PbrtShape shape{curve_mesh(curve)};
   const int splits = parameters.integer("splitdepth", 3, {0, 10});
   shape.pieces = segments_of(curve.basis, curve.degree, curve.points.size()) << splits;

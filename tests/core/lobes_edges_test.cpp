@@ -13,9 +13,12 @@ constexpr Rgb black{};
 constexpr float almost_1 = 0x1.fffffep-1f;
 
 std::vector<SurfaceModel> models_of(const Roughness& roughness, const Rgb& tint) {
-  std::vector<SurfaceModel> models = {
-      Lambert{tint}, Mirror{tint}, DiffuseTransmission{tint * 0.5f, tint * 0.5f},
-      RoughDiffuse{tint, roughness.x}, Hair{tint, roughness.x, roughness.y, 30}, Microfacet{std::max(roughness.x, 0.01f), {0.2f, 1, 3}, {4, 1, 0}}};
+  std::vector<SurfaceModel> models = {Lambert{tint},
+                                      Mirror{tint},
+                                      DiffuseTransmission{tint * 0.5f, tint * 0.5f},
+                                      RoughDiffuse{tint, roughness.x},
+                                      Hair{tint, roughness.x, roughness.y, 30},
+                                      Microfacet{std::max(roughness.x, 0.01f), {0.2f, 1, 3}, {4, 1, 0}}};
   for (const float ior : {0.5f, 1.0f, 1.0001f, 1.5f, 4.0f}) {
     models.push_back(Dielectric{ior, roughness, tint, tint, false});
     models.push_back(Dielectric{ior, roughness, tint, tint, true});

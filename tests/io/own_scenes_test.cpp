@@ -184,6 +184,16 @@ TEST_CASE("haze.pbrt shows a cloud and jade, in a room of haze") {
   CHECK(scattering == 3);
 }
 
+TEST_CASE("hair.pbrt shows hair of three colours, in locks that are instances") {
+  const LoadedScene loaded = load("hair.pbrt");
+  CHECK(loaded.warnings.empty());
+  std::set<float> colors;
+  for (const Material& material : loaded.scene.materials)
+    if (const auto* const hair = std::get_if<Hair>(&material.model)) colors.insert(hair->reflectance.g);
+  CHECK(colors.size() == 3);
+  CHECK(loaded.scene.geometry->instances().size() > 100);
+}
+
 TEST_CASE("subsurface.pbrt shows pawns below three of which light is scattered, and a matte one") {
   const LoadedScene loaded = load("subsurface.pbrt");
   CHECK(loaded.warnings.empty());

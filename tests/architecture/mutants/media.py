@@ -75,7 +75,8 @@ MUTANTS = [
            "while (channel_of(chance_, channel_) == 0) --channel_;", "", "test_integrators", ROUNDED),
     Mutant("media that absorb alone end a flight", "integrators/way.h",
            "flight ? scattering_medium(scene.materials, interiors) : nullptr;",
-           "flight && !interiors.empty() ? &scene.materials[interiors.prevailing(scene.materials)] : nullptr;",
+           "flight && !interiors.empty() ? &scene.materials[interiors.prevailing(scene.materials)]\n"
+           "                                                         : nullptr;",
            "test_integrators", FLIGHT),
     Mutant("a flight's distance is a ray's parameter", "integrators/way.h",
            "flight->distance() / length(ray.direction)", "flight->distance()", "test_integrators", FLIGHT),

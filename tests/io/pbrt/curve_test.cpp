@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/pbrt/curve.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "core/mesh_area.h"
 #include "tests/support/catch.h"
@@ -60,6 +64,28 @@ TEST_CASE("a straight curve is one step, whose area is that of a round tube of i
     CHECK(faces_outward(mesh));
     CHECK(mesh.uvs.front() == Vec2{0, 0});
     CHECK(mesh.uvs.back() == Vec2{1, 1});
+  }
+}
+
+TEST_CASE("a curve with ends is closed all around") {
+  for (const CurveKind kind : {CurveKind::flat, CurveKind::cylinder}) {
+    const Curve open{.kind = kind, .points = spiral, .width0 = 0.5f, .width1 = 0.2f};
+    Curve closed = open;
+    closed.has_ends = true;
+    const Mesh mesh = curve_mesh(closed);
+    const std::size_t sides = kind == CurveKind::flat ? 4 : 8;
+    CHECK(mesh.triangles.size() == curve_mesh(open).triangles.size() + 2 * (sides - 2));
+    CHECK(faces_outward(mesh));
+    // Each edge has a triangle on either side, which go along it in opposite directions.
+    std::map<std::array<float, 6>, int> edges;
+    for (const Triangle& t : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 &a = mesh.positions[t[k]], &b = mesh.positions[t[(k + 1) % 3]];
+        const bool is_forward = std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+        const Vec3 &low = is_forward ? a : b, &high = is_forward ? b : a;
+        edges[{low.x, low.y, low.z, high.x, high.y, high.z}] += is_forward ? 1 : -1;
+      }
+    CHECK(std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; }));
   }
 }
 
