@@ -83,6 +83,12 @@ TEST_CASE("a walk into a body is in what its surface lets through, from just bel
   CHECK(walk.end()->hit == hit);
   CHECK(walk.end()->interiors.empty());
   CHECK(walk.end()->events == 0);
+  // From within: whether there is a body at all is seen by what its first ray hits, however far.
+  Interaction inside(bsdfs, point, -point.geometric_normal);
+  inside.keep_above();
+  const Ray outward{.origin = point.position * 1.001f, .direction = point.geometric_normal};
+  CHECK(walk_from(scene, inside, outward, {}, {1, 1, 1}, draws).ray().t_max ==
+        std::numeric_limits<float>::infinity());
 }
 
 }  // namespace twinray::test

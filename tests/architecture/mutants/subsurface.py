@@ -36,6 +36,7 @@ OPENPBR = "OpenPBR's subsurface has its own colour, weight and ways"
 OWN_TEXTURE = "OpenPBR's subsurface may have textures for its colour and its weight"
 WRITTEN = "written pbrt: a body comes back, and what pbrt's cannot be is named"
 TOLD = "a replay says where a path goes below a surface, and where it comes out"
+INTO = "a walk into a body is in what its surface lets through, from just below it"
 WAVES = "waves of paths have the bits and the rays of paths one after the other"
 
 MUTANTS = [
@@ -183,5 +184,5 @@ MUTANTS = [
            "std::max(0.5f * flight_->reach(body_.medium) - before_, 0.0f)", "test_integrators", PLATE),
     Mutant("a walk that begins nowhere sees no body", "integrators/walk_below.cpp",
            "  if (step_ == 0 && start_.left_if_open) return;",
-           "  if (step_ == 1 && start_.left_if_open) return;", "test_integrators", WITHIN_BALL),
+           "  if (step_ == 1 && start_.left_if_open) return;", "test_integrators", INTO),
 ]
