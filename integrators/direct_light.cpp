@@ -40,8 +40,7 @@ Rgb sample_hemisphere(const LightTransport& transport, const Interaction& at, co
 Rgb visibility(const LightTransport& transport, const Interaction& at, const LightSample& sample,
                Tracer& tracer) {
   if (!transport.passages) return tracer.visibility(sample.shadow_ray);
-  return transport.passages->visibility(tracer, sample.shadow_ray, at.interiors(sample.direction),
-                                        at.leads_into_fibre(sample.direction));
+  return transport.passages->visibility(tracer, sample.shadow_ray, at.interiors(sample.direction));
 }
 
 /// The light of one source, by the mean of its samples.

@@ -107,9 +107,6 @@ class Interaction {
   /// Where a direction leads: before the surface, where the viewer is, or behind it.
   const Interiors& interiors(const Vec3& wi) const { return dot(facing_normal_, wi) > 0 ? before_ : behind_; }
 
-  /// Whether a ray in a direction starts within a fibre.
-  bool leads_into_fibre(const Vec3& wi) const { return is_fibre_ && !(dot(facing_normal_, wi) > 0); }
-
   /// What a path is in that goes straight on through a surface, and was in `before` where it came from; `wo`
   /// is a vector to there.
   static Interiors interiors_behind(const Scene& scene, const SurfacePoint& point, const Vec3& wo,

@@ -20,7 +20,6 @@ Passages::Passages(const Scene& scene) : scene_(scene) {
     kinds.push_back(kind_of(scene.materials[binding.material].model));
   if (std::any_of(kinds.begin(), kinds.end(), [](Kind kind) { return kind != Kind::none; }))
     kinds_ = std::move(kinds);
-  has_interfaces_ = std::find(kinds_.begin(), kinds_.end(), Kind::interface) != kinds_.end();
 }
 
 bool Passages::is_from_within(const Ray& ray, const Hit& hit) const {
@@ -33,12 +32,7 @@ void Passages::follow(Tracer& tracer, Way& way) const {
   way = ray.way();
 }
 
-Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors,
-                         bool starts_in_fibre) const {
-  if (!may_pass(starts_in_fibre)) {
-    if (is_black(tracer.visibility(shadow_ray))) return {};
-    return transmittance(scene_, interiors, shadow_ray, shadow_ray.t_max);
-  }
+Rgb Passages::visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const {
   PassingRay ray(*this, {shadow_ray, {}, interiors});
   while (ray.goes_on(tracer.hit(ray.ray(), RayKind::shadow))) continue;
   return twinray::visibility(scene_, ray.way());

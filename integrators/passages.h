@@ -32,12 +32,8 @@ class Passages {
   /// Follows a ray of a path through all passages, to the first surface that is there, or to none; to the
   /// passage before which it is scattered, if any.
   void follow(Tracer& tracer, Way& way) const;
-  /// Whether a shadow ray may pass anything: where there are fibres alone, one that starts outside of them
-  /// meets them from outside. So these must be closed.
-  bool may_pass(bool starts_in_fibre) const { return has_interfaces_ || starts_in_fibre; }
   /// What comes along a shadow ray that starts in these interiors.
-  Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors,
-                 bool starts_in_fibre = false) const;
+  Rgb visibility(Tracer& tracer, const Ray& shadow_ray, const Interiors& interiors) const;
 
  private:
   enum class Kind : std::uint8_t {
@@ -50,7 +46,6 @@ class Passages {
 
   const Scene& scene_;
   std::vector<Kind> kinds_;  ///< Of the shapes; empty where all are none.
-  bool has_interfaces_ = false;
 };
 
 /// A ray on its way through passages, from one hit to the next.

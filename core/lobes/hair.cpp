@@ -11,6 +11,9 @@
 namespace twinray {
 namespace {
 
+/// Beyond it all light is reflected, but for rounding.
+constexpr float largest_ior = 1e4f;
+
 constexpr float largest_draw = 0x1.fffffep-1f;
 
 float square(float x) { return x * x; }
@@ -85,7 +88,7 @@ Rgb hair_reflectance(const Rgb& absorption, float azimuthal_roughness) {
 HairLobe::HairLobe(const Hair& model)
     : reflectance_(model.reflectance),
       absorption_(hair_absorption(model.reflectance, model.azimuthal_roughness)),
-      ior_(std::max(model.ior, 1.0f)) {
+      ior_(std::clamp(model.ior, 1.0f, largest_ior)) {
   // Fits of what is called roughness to a variance along the fibre, and to a width around it.
   const float m = std::max(model.longitudinal_roughness, least_hair_roughness);
   const float n = std::max(model.azimuthal_roughness, least_hair_roughness);
@@ -120,6 +123,7 @@ void HairLobe::attenuate(float cosine, float way, Seen& at) const {
     at.probability[p] = (a.r + a.g + a.b) / 3;
     sum += at.probability[p];
   }
+  if (sum == 0) return;  // Nothing is scattered.
   for (float& probability : at.probability) probability /= sum;
 }
 

@@ -53,46 +53,20 @@ void PathWave::land(std::size_t i, Way way) {
 }
 
 void PathWave::connect_through_passages() {
-  std::vector<std::uint32_t>& passing = wave_.going;
-  passing.clear();
-  wave_.straight.clear();
-  for (std::size_t k = 0; k < connections_.size; ++k) {
-    const bool may_pass = context_.passages.may_pass(starts_in_fibre(k));
-    (may_pass ? passing : wave_.straight).push_back(std::uint32_t(k));
-  }
-  connect_straight(wave_.straight);
+  const std::size_t size = connections_.size;
+  const std::span<Hit> hits = std::span(connections_.hits).first(size);
+  tracer_.hits(std::span(connections_.rays).first(size), RayKind::shadow, hits);
   wave_.passing.clear();
-  take_rays(passing);
-  wave_.followed_hits.resize(passing.size());
-  tracer_.hits(wave_.followed_rays, RayKind::shadow, wave_.followed_hits);
-  for (std::size_t n = 0; n < passing.size(); ++n) {
-    const std::uint32_t surface = connections_.surface[passing[n]];
-    const Way way{wave_.followed_rays[n], wave_.followed_hits[n], interiors_of(passing[n])};
+  for (std::size_t k = 0; k < size; ++k) {
+    const Way way{connections_.rays[k], hits[k], interiors_of(k)};
     if (context_.passages.is_one(way.ray, way.hit))
-      wave_.passing.emplace_back(surface, context_.passages, way);
+      wave_.passing.emplace_back(connections_.surface[k], context_.passages, way);
     else
-      connections_.arriving.set(surface, visibility(context_.transport.scene, way));
+      connections_.arriving.set(connections_.surface[k], visibility(context_.transport.scene, way));
   }
   follow_passing(RayKind::shadow);
   for (const PassingPath& path : wave_.passing)
     connections_.arriving.set(path.index, visibility(context_.transport.scene, path.ray.way()));
-}
-
-void PathWave::connect_straight(std::span<const std::uint32_t> connections) {
-  take_rays(connections);
-  const std::span<const Rgb> visible = tracer_.visibilities(wave_.followed_rays);
-  for (std::size_t n = 0; n < connections.size(); ++n) {
-    const Ray& ray = wave_.followed_rays[n];
-    const Rgb arriving = is_black(visible[n]) ? Rgb{}
-                                              : transmittance(context_.transport.scene,
-                                                              interiors_of(connections[n]), ray, ray.t_max);
-    connections_.arriving.set(connections_.surface[connections[n]], arriving);
-  }
-}
-
-void PathWave::take_rays(std::span<const std::uint32_t> connections) {
-  wave_.followed_rays.clear();
-  for (const std::uint32_t k : connections) wave_.followed_rays.push_back(connections_.rays[k]);
 }
 
 void PathWave::follow_passing(RayKind kind) {

@@ -120,26 +120,15 @@ void PathWave::look_around_others() {
   }
 }
 
-const OtherSurface* PathWave::other_at(std::uint32_t surface) const {
+Interiors PathWave::interiors_of(std::size_t connection) const {
+  const std::uint32_t surface = connections_.surface[connection];
   const auto other =
       std::lower_bound(wave_.others.begin(), wave_.others.end(), surface,
                        [](const OtherSurface& a, std::uint32_t index) { return a.index < index; });
-  return other == wave_.others.end() || other->index != surface ? nullptr : &*other;
-}
-
-Interiors PathWave::interiors_of(std::size_t connection) const {
-  const std::uint32_t surface = connections_.surface[connection];
-  const OtherSurface* const other = other_at(surface);
-  if (!other) return paths_.interiors_at(surface);
+  if (other == wave_.others.end() || other->index != surface) return paths_.interiors_at(surface);
   // Of the sample's direction: that of the shadow ray, whose ends are moved off the surfaces, may point to
   // the other side where a light is very close.
   return other->at.interiors(light_.direction.at(surface));
-}
-
-bool PathWave::starts_in_fibre(std::size_t connection) const {
-  const std::uint32_t surface = connections_.surface[connection];
-  const OtherSurface* const other = other_at(surface);
-  return other && other->at.leads_into_fibre(light_.direction.at(surface));
 }
 
 void PathWave::keep_throughput_at_others() {

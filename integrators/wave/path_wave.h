@@ -73,9 +73,6 @@ class PathWave {
   /// Where the ray of a path ends.
   void land(std::size_t i, Way way);
   void connect_through_passages();
-  /// Of connections that pass nothing.
-  void connect_straight(std::span<const std::uint32_t> connections);
-  void take_rays(std::span<const std::uint32_t> connections);
   /// Follows the `passing` rays through what they have hit.
   void follow_passing(RayKind kind);
   /// Takes from a light's samples what interiors absorb on the way from Lambert surfaces.
@@ -192,10 +189,7 @@ class PathWave {
   void connect();
   /// What the ray of a hemisphere sample's connection brings, once it has been followed.
   Rgb found_around(std::size_t connection);
-  /// Null where it is Lambert's.
-  const OtherSurface* other_at(std::uint32_t surface) const;
   Interiors interiors_of(std::size_t connection) const;
-  bool starts_in_fibre(std::size_t connection) const;
   /// Whether any path may go on from its last surface.
   bool may_find_light() const;
   bool scatter(bool is_last);

@@ -169,13 +169,12 @@ struct Wave {
   std::vector<std::uint32_t> placed_alone;  ///< The surfaces whose points no lanes find.
   CoatedDiffuseSurfaces coated_diffuse;     ///< Those that lanes know, by their lobes.
   RoughConductorSurfaces rough_conductor;
-  std::vector<BodyWalk> walks;          ///< Of the paths that have gone into bodies from their last surfaces.
-  std::vector<PassingPath> passing;     ///< Rays of paths, or towards lights, between surfaces.
-  std::vector<std::uint32_t> straight;  ///< Connections that pass no interface or fibre.
-  std::vector<std::uint32_t> going;     ///< Which of either go on,
-  std::vector<Ray> followed_rays;       ///< by these rays,
-  std::vector<Hit> followed_hits;       ///< which hit this.
-  Columns3 scattered_at_lobes;          ///< Of a light's sample, at a list's surfaces.
+  std::vector<BodyWalk> walks;       ///< Of the paths that have gone into bodies from their last surfaces.
+  std::vector<PassingPath> passing;  ///< Rays of paths, or towards lights, between surfaces.
+  std::vector<std::uint32_t> going;  ///< Which of either go on,
+  std::vector<Ray> followed_rays;    ///< by these rays,
+  std::vector<Hit> followed_hits;    ///< which hit this.
+  Columns3 scattered_at_lobes;       ///< Of a light's sample, at a list's surfaces.
   LobePaths lobe_paths;
   Floats ux, uy;        ///< Draws of a direction, or of roulette.
   Floats lobe, unused;  ///< Draws of how other surfaces scatter, and what comes with them.

@@ -51,7 +51,8 @@ bool is_no_body(const SurfaceModel& model) {
   const auto* const sheet = std::get_if<Dielectric>(&model);
   const auto* const layers = std::get_if<Principled>(&model);
   return std::holds_alternative<Mix>(model) || std::holds_alternative<DiffuseTransmission>(model) ||
-         (sheet && sheet->is_thin) || (layers && layers->geometry_thin_walled);
+         std::holds_alternative<Hair>(model) || (sheet && sheet->is_thin) ||
+         (layers && layers->geometry_thin_walled);
 }
 
 /// What a surface of OpenPBR emits along its normal: a coat tints it, and keeps what it reflects.
@@ -92,7 +93,7 @@ void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& param
     parameters.place().warn(context_.warnings, "an area light on an interface is left out, as pbrt does");
   const Part part{std::make_shared<const PbrtShape>(std::move(*shape)),
                   state.space.transform,
-                  state.is_reversed && !is_turned,
+                  state.is_reversed && !is_turned && !context_.has_fibres,  // These have no sides.
                   state.material,
                   may_dim(within) || may_dim(without),
                   within,

@@ -52,7 +52,8 @@ int steps_of(const Bezier& b, float width) {
   const float outline = length(b[1] - b[0]) + length(b[2] - b[1]) + length(b[3] - b[2]);
   const float tolerance = std::max(of_width * width, of_length * outline);
   const float steps = std::sqrt(0.75f * bend / std::max(tolerance, 1e-30f));
-  return int(std::clamp(std::ceil(steps), 1.0f, most));
+  // Where numbers overflow there is no length: what is made of such points is refused later.
+  return steps > 1 ? int(std::min(std::ceil(steps), most)) : 1;
 }
 
 /// Some unit vector perpendicular to a direction.

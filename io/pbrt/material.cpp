@@ -187,23 +187,46 @@ SurfaceModel instead(const PbrtMaterialInputs& in, const char* what, const char*
   return model;
 }
 
+/// Which parameter says the colour of fibres, but for pigments; null where none does. As in pbrt, the first
+/// of these counts, and the others have no effect.
+const char* color_of_hair(const PbrtMaterialInputs& in) {
+  const char* said = nullptr;
+  for (const char* name : {"sigma_a", "reflectance", "color", "eumelanin", "pheomelanin"}) {
+    const PbrtParameter* const found = in.parameters.find(name);
+    const std::string_view pigments = "melanin";
+    const bool is_pigment = std::string_view(name).ends_with(pigments);
+    if (found && said)
+      found->place.warn(in.context.warnings,
+                        fmt::format("\"{}\" has no effect: \"{}\" says the colour", name, said));
+    else if (found && !is_pigment)
+      said = name;
+  }
+  return said;
+}
+
 /// What fibres absorb, by their pigments, as pbrt has it.
 Rgb pigments_of(const PbrtMaterialInputs& in) {
-  if (in.has("sigma_a")) return in.color("sigma_a", {}, ColorRole::unbounded);
   const bool has_pigments = in.has("eumelanin") || in.has("pheomelanin");
-  return Rgb{0.419f, 0.697f, 1.37f} * in.number("eumelanin", has_pigments ? 0 : 1.3f, {0, 1e6}) +
-         Rgb{0.187f, 0.4f, 1.05f} * in.number("pheomelanin", 0, {0, 1e6});
+  return Rgb{0.419f, 0.697f, 1.37f} * in.mean_number("eumelanin", has_pigments ? 0 : 1.3f, {0, 1e6}) +
+         Rgb{0.187f, 0.4f, 1.05f} * in.mean_number("pheomelanin", 0, {0, 1e6});
 }
 
 SurfaceModel read_hair(const PbrtMaterialInputs& in) {
   Hair hair;
-  hair.longitudinal_roughness = in.number("beta_m", hair.longitudinal_roughness, {0, 1});
-  hair.azimuthal_roughness = in.number("beta_n", hair.azimuthal_roughness, {0, 1});
-  hair.scale_tilt = in.number("alpha", hair.scale_tilt, {-45, 45});
-  hair.ior = in.parameters.real("eta", hair.ior, {1, 100});
-  hair.reflectance = hair_reflectance(pigments_of(in), hair.azimuthal_roughness);
-  for (const char* name : {"color", "reflectance"})
-    hair.reflectance = in.color(name, hair.reflectance, MaterialInput::reflectance, InputMeaning::value);
+  hair.longitudinal_roughness = in.mean_number("beta_m", hair.longitudinal_roughness, {0, 1});
+  hair.azimuthal_roughness = in.mean_number("beta_n", hair.azimuthal_roughness, {0, 1});
+  hair.scale_tilt = in.mean_number("alpha", hair.scale_tilt, {-45, 45});
+  hair.ior = in.mean_number("eta", hair.ior, {1, 100});
+  const auto of = [&](const Rgb& absorption) {
+    return hair_reflectance(absorption, hair.azimuthal_roughness);
+  };
+  const char* const said = color_of_hair(in);
+  if (!said)
+    hair.reflectance = of(pigments_of(in));
+  else if (std::string_view(said) == "sigma_a")
+    hair.reflectance = of(in.color(said, {}, ColorRole::unbounded));
+  else
+    hair.reflectance = in.color(said, {}, MaterialInput::reflectance, InputMeaning::value);
   return hair;
 }
 

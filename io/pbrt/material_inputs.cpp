@@ -49,10 +49,16 @@ Rgb PbrtMaterialInputs::color(const char* name, const Rgb& fallback, MaterialInp
   return within_unit(use(*found, PictureChannels::color, input, meaning).mean);
 }
 
-float PbrtMaterialInputs::number(const char* name, float fallback, const NumberRange& range) const {
+float PbrtMaterialInputs::number(const char* name, float fallback) const {
+  const PbrtParameter* found = parameters.find(name);
+  if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback);
+  return use(*found, PictureChannels::number, input_named(name)).mean.r;
+}
+
+float PbrtMaterialInputs::mean_number(const char* name, float fallback, const NumberRange& range) const {
   const PbrtParameter* found = parameters.find(name);
   if (!found || found->type != PbrtType::texture) return parameters.real(name, fallback, range);
-  const float mean = use(*found, PictureChannels::number, input_named(name)).mean.r;
+  const float mean = use(*found, PictureChannels::number, std::nullopt).mean.r;
   return std::clamp(mean, float(range.least), float(range.most));
 }
 

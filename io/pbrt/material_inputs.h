@@ -23,8 +23,9 @@ struct PbrtMaterialInputs {
   Rgb color(const char* name, const Rgb& fallback, ColorRole role = ColorRole::reflectance) const;
   /// The same of a name in the file that is not the input's.
   Rgb color(const char* name, const Rgb& fallback, MaterialInput input, InputMeaning meaning) const;
-  /// Of a texture the mean, where the model has no such input; within the range.
-  float number(const char* name, float fallback, const NumberRange& range = PbrtParameters::any) const;
+  float number(const char* name, float fallback) const;
+  /// One that no texture gives point by point: of a texture the mean, with a warning, within the range.
+  float mean_number(const char* name, float fallback, const NumberRange& range) const;
   /// A metal's k by its "reflectance".
   Rgb k_of_reflectance(const PbrtParameter& reflectance) const;
   /// An index of refraction; of a spectrum the mean as the eye weighs it.

@@ -37,9 +37,8 @@ double light_near(const HairLobe& lobe, const Vec3& wo, double sine, double azim
 }  // namespace
 
 TEST_CASE("a fibre is sampled with its density") {
-  for (const Hair& hair :
-       {Hair{}, Hair{{0.9f, 0.5f, 0.2f}, 0.4f, 0.6f, -5}, Hair{white, 0.8f, 0.3f, 10, 1.3f},
-                          Hair{{0.5f, 0.5f, 0.9f}, 0.5f, 1, 0}}) {
+  for (const Hair& hair : {Hair{}, Hair{{0.9f, 0.5f, 0.2f}, 0.4f, 0.6f, -5},
+                           Hair{white, 0.8f, 0.3f, 10, 1.3f}, Hair{{0.5f, 0.5f, 0.9f}, 0.5f, 1, 0}}) {
     const HairLobe lobe(hair);
     for (const float cosine : {0.95f, 0.6f, 0.2f}) test::check_sampling(lobe, direction_at(cosine), 12);
   }

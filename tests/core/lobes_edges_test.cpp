@@ -18,6 +18,8 @@ std::vector<SurfaceModel> models_of(const Roughness& roughness, const Rgb& tint)
                                       DiffuseTransmission{tint * 0.5f, tint * 0.5f},
                                       RoughDiffuse{tint, roughness.x},
                                       Hair{tint, roughness.x, roughness.y, 30},
+                                      Hair{black, roughness.x, roughness.y, 30, 1},
+                                      Hair{tint, 0.5f, 0.5f, 1e30f, 1e30f},
                                       Microfacet{std::max(roughness.x, 0.01f), {0.2f, 1, 3}, {4, 1, 0}}};
   for (const float ior : {0.5f, 1.0f, 1.0001f, 1.5f, 4.0f}) {
     models.push_back(Dielectric{ior, roughness, tint, tint, false});

@@ -95,8 +95,6 @@ TEST_CASE("a fibre's tangent runs along it, and none of its directions is lost a
     CHECK(at.is_consistent(-wi));
     CHECK_FALSE(is_black(at.scattered(wi).value));
   }
-  CHECK(at.leads_into_fibre(-at.normal()));
-  CHECK_FALSE(at.leads_into_fibre(at.normal()));
 }
 
 TEST_CASE("hair has the same bits on all engines, instruction sets and threads") {

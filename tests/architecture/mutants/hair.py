@@ -14,6 +14,10 @@ TANGENT = "a fibre's tangent runs along it, and none of its directions is lost a
 WITHIN = "light that has come into a fibre leaves it at once, and is hidden by it from outside"
 WAVES = "hair has the same bits on all engines, instruction sets and threads"
 PIGMENTS = "hair has the colour of its pigments, and pbrt's roughnesses"
+TURNED = "hair has no sides: what turns shapes around does not turn it, and no medium is in it"
+FIRST = "of several colours of hair the first that pbrt asks for counts, and the others are named"
+HUGE = "a curve whose lengths overflow is a mesh all the same, which is refused later"
+EDGES = "no model scatters what is negative or not finite, at the ends of its parameters and directions"
 ROUND = "hair's reflectance may be a texture's, and its curves are round"
 CLOSED = "a curve with ends is closed all around"
 
@@ -47,28 +51,29 @@ MUTANTS = [
            WITHIN),
     Mutant("a fibre's wall is there, seen from within", "integrators/passages.h",
            "(kind == Kind::fibre && is_from_within(ray, hit))", "false", "test_integrators", WITHIN),
-    Mutant("light samples do not get out of fibres", "integrators/passages.h",
-           "return has_interfaces_ || starts_in_fibre;", "return has_interfaces_;", "test_integrators", SKY),
     Mutant("fibres have sides", "integrators/interaction.h", "if (is_fibre_) return true;", "",
-           "test_integrators", TANGENT),
-    Mutant("light samples start in fibres where they do not", "integrators/interaction.h",
-           "is_fibre_ && !(dot(facing_normal_, wi) > 0)", "is_fibre_ && dot(facing_normal_, wi) > 0",
            "test_integrators", TANGENT),
     Mutant("fibres run nowhere", "core/shading_map.cpp",
            "  bool operator()(const Hair&) const { return true; }\n", "", "test_integrators", TANGENT),
-    Mutant("waves let light samples out of fibres where they start outside", "integrators/wave/media.cpp",
-           "context_.passages.may_pass(starts_in_fibre(k))",
-           "context_.passages.may_pass(!starts_in_fibre(k))",
-           "test_integrators", WAVES),
     Mutant("pbrt's two roughnesses of hair are one", "io/pbrt/material.cpp",
            "in.number(\"beta_n\", hair.azimuthal_roughness, {0, 1})",
            "in.number(\"beta_m\", hair.azimuthal_roughness, {0, 1})", "test_io", PIGMENTS),
     Mutant("the colour of pigments is that of usual hair", "io/pbrt/material.cpp",
-           "hair_reflectance(pigments_of(in), hair.azimuthal_roughness)",
-           "hair_reflectance({0.5f, 0.9f, 1.8f}, hair.azimuthal_roughness)", "test_io", PIGMENTS),
+           "hair.reflectance = of(pigments_of(in));", "hair.reflectance = of({0.5f, 0.9f, 1.8f});", "test_io", PIGMENTS),
     Mutant("curves of hair are as others", "io/pbrt/shape.cpp",
            "curve.kind = CurveKind::cylinder, curve.has_ends = true;", "curve.has_ends = true;", "test_io",
            ROUND),
     Mutant("a tube has one end", "io/pbrt/curve.cpp",
            "  add_end(sections.front(), 0, sides, false, mesh);\n", "", "test_io", CLOSED),
+    Mutant("ReverseOrientation turns hair inside out", "io/pbrt/builder.cpp", " && !context_.has_fibres", "",
+           "test_io", TURNED),
+    Mutant("a medium in hair is lost silently", "io/pbrt/builder.cpp",
+           "         std::holds_alternative<Hair>(model) || (sheet", "         (sheet", "test_io", TURNED),
+    Mutant("the last colour of hair counts", "io/pbrt/material.cpp", "if (found && said)",
+           "if (found && said && is_pigment)", "test_io", FIRST),
+    Mutant("a curve whose lengths overflow has no steps", "io/pbrt/curve.cpp",
+           "return steps > 1 ? int(std::min(std::ceil(steps), most)) : 1;",
+           "return int(std::clamp(std::ceil(steps), 1.0f, most));", "test_io", HUGE),
+    Mutant("hair that scatters nothing has no density", "core/lobes/hair.cpp", "  if (sum == 0) return;", "",
+           "test_core", EDGES),
 ]

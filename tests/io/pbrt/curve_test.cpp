@@ -163,6 +163,16 @@ TEST_CASE("curves that stand still, or fold back, are meshes without anything th
     }
 }
 
+TEST_CASE("a curve whose lengths overflow is a mesh all the same, which is refused later") {
+  for (const CurveKind kind : {CurveKind::flat, CurveKind::cylinder}) {
+    Curve curve{.kind = kind, .points = straight};
+    curve.points[1] = {1e20f, 0.3f, 0};
+    CHECK_FALSE(curve_mesh(curve).triangles.empty());
+    curve.points[1] = {3e38f, -3e38f, 0};
+    CHECK_FALSE(curve_mesh(curve).triangles.empty());
+  }
+}
+
 TEST_CASE("so many points make so many segments") {
   CHECK(segments_of(CurveBasis::bezier, 3, 4) == 1);
   CHECK(segments_of(CurveBasis::bezier, 3, 7) == 2);

@@ -280,6 +280,32 @@ TEST_CASE("hair has the colour of its pigments, and pbrt's roughnesses") {
   CHECK(pbrt_error("Material \"hair\" \"float beta_m\" 1.5").find("beta_m") != std::string::npos);
 }
 
+TEST_CASE("of several colours of hair the first that pbrt asks for counts, and the others are named") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Material \"hair\" \"rgb sigma_a\" [ 0 0 0 ] \"rgb reflectance\" [ 0.1 0.2 0.3 ] \"float eumelanin\" "
+      "2");
+  CHECK(std::get<Hair>(loaded.scene.materials.at(1).model).reflectance == Rgb{1, 1, 1});
+  REQUIRE(loaded.warnings.size() == 2);
+  CHECK(loaded.warnings[0].message == "\"reflectance\" has no effect: \"sigma_a\" says the colour");
+  CHECK(loaded.warnings[1].message == "\"eumelanin\" has no effect: \"sigma_a\" says the colour");
+  const LoadedScene textured = load_pbrt_world(
+      "Texture \"t\" \"float\" \"constant\" \"float value\" 1.4 Material \"hair\" \"texture eta\" \"t\"");
+  CHECK(std::get<Hair>(textured.scene.materials.at(1).model).ior == 1.4f);
+}
+
+TEST_CASE("hair has no sides: what turns shapes around does not turn it, and no medium is in it") {
+  const std::string curve = " Shape \"curve\" \"point3 P\" [ 0 0 0  0 0 1  0 0 2  0 0 3 ] ";
+  const LoadedScene loaded = load_pbrt_world("Material \"hair\"" + curve + "ReverseOrientation" + curve);
+  const Geometry& geometry = *loaded.scene.geometry;
+  CHECK(geometry.mesh(0)->triangles == geometry.mesh(1)->triangles);
+  CHECK(geometry.mesh(0)->normals == geometry.mesh(1)->normals);
+  const LoadedScene filled = load_pbrt_world(
+      "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" MediumInterface \"m\" \"\" Material \"hair\"" +
+      curve);
+  REQUIRE(filled.warnings.size() == 1);
+  CHECK(filled.warnings[0].message.find("a medium is rendered within") == 0);
+}
+
 TEST_CASE("hair's reflectance may be a texture's, and its curves are round") {
   const LoadedScene loaded = load_pbrt_world(
       "Texture \"t\" \"spectrum\" \"checkerboard\" Material \"hair\" \"texture reflectance\" \"t\" "
