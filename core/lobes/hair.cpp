@@ -132,9 +132,9 @@ HairLobe::Seen HairLobe::seen(const Vec3& wo) const {
   at.sine = std::clamp(wo.x, -1.0f, 1.0f);
   at.cosine = cosine_of(at.sine);
   at.azimuth = angle_of(wo.y, wo.z);
+  // Since z is the normal, it is the angle by which light meets the fibre, too: gamma.
   const float across = std::sqrt(wo.y * wo.y + wo.z * wo.z);
   const float sin_gamma = across > 0 ? std::clamp(wo.y / across, -1.0f, 1.0f) : 0;
-  const float gamma = angle_of(sin_gamma, cosine_of(sin_gamma));
   // Within the fibre, seen along its axis, light is refracted by an index of its own.
   const float cos_within = cosine_of(at.sine / ior_);
   const float ior_across =
@@ -142,7 +142,7 @@ HairLobe::Seen HairLobe::seen(const Vec3& wo) const {
   const float sin_gamma_within = std::clamp(sin_gamma / ior_across, -1.0f, 1.0f);
   const float gamma_within = angle_of(sin_gamma_within, cosine_of(sin_gamma_within));
   for (std::size_t p = 0; p < at.turns.size(); ++p)
-    at.turns[p] = 2 * float(p) * gamma_within - 2 * gamma + float(p) * pi;
+    at.turns[p] = 2 * float(p) * gamma_within - 2 * at.azimuth + float(p) * pi;
   attenuate(at.cosine * cosine_of(sin_gamma), 2 * cosine_of(sin_gamma_within) / std::max(cos_within, 1e-4f),
             at);
   for (std::size_t p = 0; p < lobes; ++p) {

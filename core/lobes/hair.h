@@ -47,7 +47,9 @@ class HairLobe {
   Seen seen(const Vec3& wo) const;
   /// By the cosine to the surface's normal, and the way within to the other side, in radii.
   void attenuate(float cosine, float way, Seen& at) const;
+  /// How densely light spreads along the fibre from one angle to another, per unit of the latter's sine,
   float along(const Spread& spread, const SinCos& from, const SinCos& to) const;
+  /// and around it, per radian, by how far it is turned and how far the axis of its lobe is.
   float around(float azimuth, float turn) const;
   Spread spread(float variance, float tilt_degrees) const;
 

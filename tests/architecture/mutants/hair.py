@@ -26,7 +26,7 @@ MUTANTS = [
            "spread(variance, 2 * tilt)", "test_core", SCALES),
     Mutant("scales turn what goes through towards the root", "core/lobes/hair.cpp",
            "spread(0.25f * variance, tilt)", "spread(0.25f * variance, -tilt)", "test_core", SCALES),
-    Mutant("a fibre turns light half as far", "core/lobes/hair.cpp", "- 2 * gamma +", "- gamma +",
+    Mutant("a fibre turns light half as far", "core/lobes/hair.cpp", "- 2 * at.azimuth +", "- at.azimuth +",
            "test_core",
            GLASS),
     Mutant("light that goes through a fibre passes one side of it", "core/lobes/hair.cpp",
