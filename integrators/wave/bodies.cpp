@@ -46,6 +46,7 @@ void PathWave::come_out(const BodyWalk& walk) {
   other.throughput = walk.throughput * end.left;
   paths_.cone_width[i] = cone.width;
   paths_.eta_squared[i] *= end.eta_squared;
+  surfaces_.point.position.set(i, other.at.point().position);
   show_receiver(other);
   if (context_.options.counts(depth_ + 1)) {
     const std::uint32_t sample = paths_.sample[i];

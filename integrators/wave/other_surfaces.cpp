@@ -83,7 +83,6 @@ void PathWave::show_others() {
 
 void PathWave::show_receiver(const OtherSurface& other) {
   const Receiver receiver = other.at.receiver();
-  surfaces_.point.position.set(other.index, receiver.position);
   surfaces_.shading.set(other.index, receiver.normal);
   surfaces_.lets_through[other.index] = receiver.lets_light_through ? 1 : 0;
 }

@@ -162,7 +162,7 @@ class PathWave {
   /// Puts a surface on the list of its lobe, if lanes know that; of a surface that light goes below, they do
   /// not, and its light is from now on what stays above.
   bool is_listed(OtherSurface& other);
-  /// Where it receives light.
+  /// How it receives light, where it is.
   void show_receiver(const OtherSurface& other);
   /// Calls f with each list and its stages.
   template <typename F>
