@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "core/interiors.h"
 #include "core/warp.h"
 
 namespace twinray {
@@ -32,7 +33,8 @@ struct Strength {
 }  // namespace
 
 bool is_lit(const Scene& scene) {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
+  return has_glow(scene.materials) ||
+         std::any_of(scene.lights.begin(), scene.lights.end(),
                      [](const Light& light) { return !is_black(std::visit(Strength{}, light.source)); });
 }
 

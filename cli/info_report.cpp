@@ -86,11 +86,9 @@ Json json_of(const SceneInfo& info) {
   report["materials"] = list(info.materials);
   report["lights"] = list(summary.lights);
   report["pictures"] = list(info.pictures);
-  report["media"] = {{"absorbing", info.media.absorbing},
-                     {"scattering", info.media.scattering},
-                     {"uneven", info.media.uneven},
-                     {"subsurface", info.media.subsurface},
-                     {"atmosphere", info.media.has_atmosphere}};
+  report["media"] = {{"absorbing", info.media.absorbing},   {"scattering", info.media.scattering},
+                     {"uneven", info.media.uneven},         {"glowing", info.media.glowing},
+                     {"subsurface", info.media.subsurface}, {"atmosphere", info.media.has_atmosphere}};
   report["memory_bytes"] = memory_json(info);
   report["notes"] = summary.notes;
   report["warnings"] = info.warnings;

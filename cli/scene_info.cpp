@@ -47,6 +47,7 @@ MediaInfo media_of(const Scene& scene) {
     if (is_black(interior.extinction())) continue;
     ++(is_black(interior.scattering) ? media.absorbing : media.scattering);
     media.uneven += interior.density != no_density;
+    media.glowing += interior.emits();
   }
   return media;
 }

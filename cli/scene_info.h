@@ -28,7 +28,8 @@ struct PictureInfo {
 struct MediaInfo {
   std::size_t absorbing = 0;   ///< Those that absorb alone,
   std::size_t scattering = 0;  ///< that scatter light,
-  std::size_t uneven = 0;      ///< and, of both, whose density is not even.
+  std::size_t uneven = 0;      ///< and, of both, whose density is not even,
+  std::size_t glowing = 0;     ///< or that emit light.
   std::size_t subsurface = 0;  ///< Materials below whose surfaces light is scattered.
   bool has_atmosphere = false;
 };

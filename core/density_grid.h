@@ -2,6 +2,8 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/ray.h"
@@ -15,60 +17,76 @@ namespace twinray {
 /// Along a ray a trilinear function is a polynomial of the third degree in each cell, which two points of
 /// Gauss and Legendre integrate exactly. So what lies along a ray is known but for rounding, without random
 /// numbers.
+///
+/// Cells are kept in bricks of 8 x 8 x 8. Where all are 0 there is none: it takes no memory, and a ray
+/// crosses it in one step.
 class DensityGrid {
  public:
   using Size = std::array<int, 3>;
-  /// No grid is larger than this along an axis.
+  /// No grid is larger than this along an axis,
   static constexpr int most_cells = 1 << 14;
+  /// or has more cells.
+  static constexpr std::int64_t most_cells_in_all = std::int64_t(1) << 36;
 
-  /// `values`, of which x runs fastest, are finite and not negative; `to_unit` takes the scene's space to the
-  /// one in which the box is [0, 1]^3. Throws Error where they are not so many as the cells, or where the
-  /// transform flattens.
+  /// Of zeros. `to_unit` takes the scene's space to the one in which the box is [0, 1]^3. Throws Error for a
+  /// size out of range, or where the transform flattens.
+  DensityGrid(const Size& size, const Transform& to_unit);
+  /// Of `values`, of which x runs fastest. Throws Error where they are not so many as the cells, too.
   DensityGrid(const Size& size, const std::vector<float>& values, const Transform& to_unit);
+  /// Of a cell; the value is finite and not negative, or Error is thrown.
+  void set(int x, int y, int z, float value);
 
   const Size& size() const { return size_; }
   const Transform& to_unit() const { return to_unit_; }
   /// In memory.
-  std::size_t bytes() const { return padded_.size() * sizeof(float); }
+  std::size_t bytes() const;
   /// That of a cell.
-  float value(int x, int y, int z) const { return padded_[place(x + 1, y + 1, z + 1)]; }
+  float value(int x, int y, int z) const;
+  /// That of a point of the scene.
+  double at(const Vec3& point) const;
 
   /// The integral of the density over the ray from one parameter to another, in the scene's lengths; `to` may
-  /// be infinite.
-  double amount(const Ray& ray, float from, float to) const;
-  /// The parameter up to which so much lies along the ray from `from` on, > 0; infinite where there is less
-  /// before `to`.
-  float reach(const Ray& ray, float from, float to, double amount) const;
+  /// be infinite. Where it is more than `most`, something that is, too.
+  double amount(const Ray& ray, float from, float to,
+                double most = std::numeric_limits<double>::infinity()) const;
+  struct Reach {
+    float t;        ///< The ray's parameter there; infinite where there is less before `to`,
+    double amount;  ///< which is this.
+  };
+  /// How far so much lies along the ray from `from` on; amount > 0.
+  Reach reach(const Ray& ray, float from, float to, double amount) const;
 
  private:
+  /// Along an edge of a brick: cells, and points of the lattice.
+  static constexpr int cells = 8, points = cells + 1;
+  using Index = std::array<int, 3>;
   /// A ray in the space of the lattice, where the numbers lie at 1 to size, and the zeros around them at 0
   /// and size + 1.
   struct Line {
     std::array<double, 3> origin, direction;
-    double at(int axis, double t) const {
-      return origin[std::size_t(axis)] + direction[std::size_t(axis)] * t;
-    }
+    double at(std::size_t axis, double t) const { return origin[axis] + direction[axis] * t; }
   };
   /// The eight numbers around a cell of the lattice.
   using Corners = std::array<float, 8>;
 
   Line line_of(const Ray& ray) const;
-  std::size_t place(int x, int y, int z) const {
-    return (std::size_t(z) * std::size_t(size_[1] + 2) + std::size_t(y)) * std::size_t(size_[0] + 2) +
-           std::size_t(x);
-  }
-  Corners corners_of(const std::array<int, 3>& cell) const;
+  std::size_t table_place(const Index& brick) const;
+  /// A brick's numbers; null where all are 0.
+  const float* brick_at(const Index& brick) const;
+  static Corners corners_of(const float* brick, const Index& cell);
+  static double between_corners(const Line& line, const Index& cell, const Corners& corners, double t);
   /// The integral over t within a cell.
-  static double integral(const Line& line, const std::array<int, 3>& cell, const Corners& corners,
-                         double from, double to);
-  /// Calls visit(cell, from, to) for each cell of the lattice that the line goes through within the box, in
-  /// order, until it returns false.
+  static double integral(const Line& line, const Index& cell, const Corners& corners, double from, double to);
+  /// Calls visit(cell, corners, from, to) for each cell of the lattice that the line goes through within the
+  /// box, in order and but for those of bricks that are 0, until it returns false.
   template <typename Visit>
   void walk(const Line& line, double from, double to, const Visit& visit) const;
 
   Size size_;
   Transform to_unit_;
-  std::vector<float> padded_;  ///< With the zeros around.
+  Index bricks_{};                    ///< How many along each axis.
+  std::vector<std::uint32_t> table_;  ///< Of each brick, which of those kept it is, from 1 on; 0: none.
+  std::vector<float> values_;         ///< Brick by brick; neighbours have the points between them both.
 };
 
 }  // namespace twinray

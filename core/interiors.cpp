@@ -93,14 +93,23 @@ float ior_of(const SurfaceModel& model) {
 
 bool has_flights(std::span<const Material> materials) {
   return std::any_of(materials.begin(), materials.end(), [](const Material& material) {
-    return !is_black(material.interior.scattering) || material.interior.density != no_density;
+    return scatters(material.interior) || material.interior.density != no_density;
   });
 }
 
-const Material* scattering_medium(std::span<const Material> materials, const Interiors& interiors) {
-  if (interiors.empty()) return nullptr;
-  const Material& there = materials[interiors.prevailing(materials)];
-  return is_black(there.interior.scattering) ? nullptr : &there;
+bool has_glow(std::span<const Material> materials) {
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const Material& material) { return material.interior.emits(); });
+}
+
+bool has_uneven_glow(std::span<const Material> materials) {
+  return std::any_of(materials.begin(), materials.end(), [](const Material& material) {
+    return material.interior.emits() && material.interior.glow.is_uneven();
+  });
+}
+
+const Interior* medium_in(std::span<const Material> materials, const Interiors& interiors) {
+  return interiors.empty() ? nullptr : &materials[interiors.prevailing(materials)].interior;
 }
 
 Rgb transmittance(std::span<const Material> materials, const Interiors& interiors, float length) {
@@ -111,6 +120,14 @@ Rgb transmittance(std::span<const Material> materials, const Interiors& interior
 Rgb transmittance(const Rgb& extinction, float amount) {
   const auto channel = [&](float e) { return e >= least_extinction ? exp_of(-e * amount) : 1.0f; };
   return {channel(extinction.r), channel(extinction.g), channel(extinction.b)};
+}
+
+float opaque_amount(const Rgb& extinction) {
+  constexpr float opaque = 88;  // exp_of() of less is 0.
+  float most = 0;
+  for (const float e : {extinction.r, extinction.g, extinction.b})
+    if (e >= least_extinction) most = std::max(most, opaque / e);
+  return most;
 }
 
 Surroundings surroundings_of(std::span<const Material> materials, std::uint32_t material, bool is_inside,

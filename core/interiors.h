@@ -47,8 +47,14 @@ float ior_of(const SurfaceModel& model);
 /// Whether anything scatters light on its way between surfaces, or dims it here more than there.
 bool has_flights(std::span<const Material> materials);
 
-/// The material whose interior scatters the light that is in these interiors; null where none does.
-const Material* scattering_medium(std::span<const Material> materials, const Interiors& interiors);
+/// Whether anything emits light between surfaces,
+bool has_glow(std::span<const Material> materials);
+/// or does so here more than there.
+bool has_uneven_glow(std::span<const Material> materials);
+
+/// What is there, of several interiors; null outside of all.
+const Interior* medium_in(std::span<const Material> materials, const Interiors& interiors);
+inline bool scatters(const Interior& medium) { return !is_black(medium.scattering); }
 
 /// The part of light that is left behind a way through interiors whose media are even, neither absorbed nor
 /// scattered; `length` may be infinite.
@@ -57,6 +63,8 @@ Rgb transmittance(std::span<const Material> materials, const Interiors& interior
 inline constexpr float least_extinction = 1e-30f;
 /// The same of one medium, by how much of it there is.
 Rgb transmittance(const Rgb& extinction, float amount);
+/// So much of it leaves nothing but what it does not dim at all: more does neither.
+float opaque_amount(const Rgb& extinction);
 
 /// What a surface is a boundary to, by the priorities of nested interiors (Schmidt and Budge, "Simple Nested
 /// Dielectrics in Ray Traced Images", 2002).

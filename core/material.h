@@ -221,6 +221,21 @@ struct TextureUse {
 /// The index of "no density": a medium is the same everywhere.
 inline constexpr std::uint32_t no_density = 0xffffffff;
 
+/// What a medium emits: where it is as thick as can be, it looks so bright, since per unit of length it emits
+/// its absorption times that.
+struct Glow {
+  Rgb radiance;  ///< >= 0.
+  /// Index into Scene::densities: the radiance is times the number there,
+  std::uint32_t factor = no_density;
+  /// and, of another index, times the color of a black body (core/blackbody.h) as hot as the number there,
+  /// less the offset, times the scale: kelvin.
+  std::uint32_t temperature = no_density;
+  float temperature_offset = 0, temperature_scale = 1;
+
+  bool operator==(const Glow&) const = default;
+  bool is_uneven() const { return factor != no_density || temperature != no_density; }
+};
+
 /// What lies within a closed surface that lets light in: a medium.
 struct Interior {
   Rgb absorption;  ///< Per unit of length, >= 0: light that goes a way d is times e^(-absorption d).
@@ -233,10 +248,14 @@ struct Interior {
   float anisotropy = 0;  ///< Of what is scattered: core/phase_function.h.
   /// Index into Scene::densities: the absorption and the scattering are times the density there.
   std::uint32_t density = no_density;
+  Glow glow;
 
   bool operator==(const Interior&) const = default;
   /// Of light that goes a way d, the part e^(-extinction d) is neither absorbed nor scattered.
   Rgb extinction() const { return absorption + scattering; }
+  /// What it emits per unit of length where its density and its glow's factors are 1.
+  Rgb emission() const { return absorption * glow.radiance; }
+  bool emits() const { return !is_black(emission()); }
 };
 
 /// Light below a surface: what the base of a CoatedDiffuse would reflect at once, or the subsurface's part of

@@ -23,6 +23,7 @@ enum class Purpose : std::uint32_t {
   alpha,        ///< 1D: cut-outs.
   time,         ///< 1D: when; at the camera.
   medium,       ///< 1D: how far in a volume.
+  glow,         ///< 1D: where a volume is seen to emit.
   texture,      ///< 2D: which pixels of textures stand for those around.
 };
 
@@ -58,6 +59,8 @@ constexpr DrawPlace place_of(Purpose purpose, std::uint32_t vertex) {
       return {0, 3, 2};
     case Purpose::medium:
       return {vertex, 4, 0};
+    case Purpose::glow:
+      return {vertex, 4, 1};
     case Purpose::texture:
       return {vertex, 4, 2};
   }

@@ -131,10 +131,20 @@ void check_interior(const Scene& scene, std::size_t index) {
     throw Error(fmt::format("material {} has an anisotropy of {:g}; valid are -{:g} to {:g}", index,
                             material.interior.anisotropy, PhaseFunction::most_anisotropy,
                             PhaseFunction::most_anisotropy));
-  if (const std::uint32_t density = material.interior.density;
-      density != no_density && density >= scene.densities.size())
+  const Glow& glow = material.interior.glow;
+  for (const std::uint32_t density : {material.interior.density, glow.factor, glow.temperature})
+    if (density != no_density && density >= scene.densities.size())
+      throw Error(
+          fmt::format("material {} names density {}; there are {}", index, density, scene.densities.size()));
+  const Rgb& radiance = glow.radiance;
+  if (!is_finite(radiance) || std::min({radiance.r, radiance.g, radiance.b}) < 0 ||
+      !is_finite(material.interior.emission()))
     throw Error(
-        fmt::format("material {} names density {}; there are {}", index, density, scene.densities.size()));
+        fmt::format("material {} glows with a radiance of {:g} {:g} {:g}; each must be finite and >= 0, "
+                    "and also times the absorption",
+                    index, radiance.r, radiance.g, radiance.b));
+  if (!std::isfinite(glow.temperature_offset) || !std::isfinite(glow.temperature_scale))
+    throw Error(fmt::format("material {} has a temperature of media that is not finite", index));
   if (material.interior.priority < 0)
     throw Error(
         fmt::format("material {} has the priority {}; it must be >= 0", index, material.interior.priority));

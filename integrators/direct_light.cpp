@@ -154,7 +154,7 @@ Rgb found_light(const LightTransport& transport, const Departure& departure, con
 }
 
 bool may_find_light(const LightTransport& transport, const Departure& departure) {
-  if (departure.seeking == Seeking::alone) return true;
+  if (departure.seeking == Seeking::alone || transport.has_glow) return true;
   if (transport.method != DirectMethod::mis) return false;
   return departure.seeking == Seeking::all || transport.lights.is_in_a_zone(departure.from.position);
 }

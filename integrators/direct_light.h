@@ -26,6 +26,7 @@ struct LightTransport {
   DirectMethod method = DirectMethod::mis;
   std::uint32_t samples_per_light = 1;  ///< For each light that is not a delta light; >= 1.
   const Passages* passages = nullptr;   ///< Of the scene, if it has any.
+  bool has_glow = false;                ///< Of the scene: media emit light, which rays find on their way.
 
   /// How many samples a light gets.
   std::uint32_t samples_of(std::uint32_t light) const {

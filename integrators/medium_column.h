@@ -27,12 +27,19 @@ class MediumColumn {
         t_(t),
         length_((t - ray.t_min) * length(ray.direction)) {}
 
-  /// May be infinite.
-  float amount() const { return grid_ ? float(grid_->amount(ray_, ray_.t_min, t_)) : length_; }
-  /// How far behind the beginning so much is reached, >= 0; infinite where there is less.
-  float reach(float amount) const {
-    if (!grid_) return amount < length_ ? amount : infinite_;
-    return (grid_->reach(ray_, ray_.t_min, t_, double(amount)) - ray_.t_min) * length(ray_.direction);
+  /// May be infinite. Where it is more than `most`, something that is, too.
+  float amount(float most = infinite_) const {
+    return grid_ ? float(grid_->amount(ray_, ray_.t_min, t_, double(most))) : length_;
+  }
+  struct Reach {
+    float distance;  ///< Behind the beginning, >= 0; infinite where there is less,
+    float amount;    ///< which is this.
+  };
+  /// How far so much gets; amount > 0, and may be infinite.
+  Reach reach(float amount) const {
+    if (!grid_) return amount < length_ ? Reach{amount, amount} : Reach{infinite_, length_};
+    const DensityGrid::Reach end = grid_->reach(ray_, ray_.t_min, t_, double(amount));
+    return {(end.t - ray_.t_min) * length(ray_.direction), float(end.amount)};
   }
 
  private:

@@ -38,6 +38,7 @@ class PathIntegrator::Waves {
         lamps_(lamp_table(scene, reference.transport().lights)),
         has_interiors_(std::any_of(scene.materials.begin(), scene.materials.end(), has_interior)),
         has_flights_(has_flights(scene.materials)),
+        has_uneven_glow_(has_uneven_glow(scene.materials)),
         has_bodies_(std::any_of(scene.materials.begin(), scene.materials.end(), has_subsurface)),
         has_environment_(has_environment(scene)),
         exceeds_cache_(exceeds_cache(*scene.geometry)),
@@ -55,6 +56,7 @@ class PathIntegrator::Waves {
             .lamps = lamps_,
             .has_interiors = has_interiors_,
             .has_flights = has_flights_,
+            .has_uneven_glow = has_uneven_glow_,
             .has_bodies = has_bodies_,
             .has_environment = has_environment_,
             .prefetches = exceeds_cache_,
@@ -70,8 +72,8 @@ class PathIntegrator::Waves {
   const std::vector<ShapeEntry> shapes_;
   const std::vector<PatchTable> patches_;
   const std::vector<Lamp> lamps_;
-  const bool has_interiors_, has_flights_, has_bodies_, has_environment_, exceeds_cache_, has_second_uvs_,
-      has_placed_textures_;
+  const bool has_interiors_, has_flights_, has_uneven_glow_, has_bodies_, has_environment_, exceeds_cache_,
+      has_second_uvs_, has_placed_textures_;
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, const PathOptions& options, const std::string& simd)

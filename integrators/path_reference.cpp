@@ -16,7 +16,8 @@ PathReference::PathReference(const Scene& scene, const PathOptions& options)
       bsdfs_(scene, options.regularize ? Materials::regularized : Materials::exact),
       passages_(scene),
       has_environment_(has_environment(scene)),
-      has_flights_(has_flights(scene.materials)) {
+      has_flights_(has_flights(scene.materials)),
+      has_glow_(has_glow(scene.materials)) {
   check(options);
 }
 
@@ -43,6 +44,11 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     record[Layer::alpha][0] = alpha_record(end.is_beyond_scene(), has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
+    if (options_.counts(depth) && has_glow_) {
+      const LightTerm found = term({1, 1, 1}, end.glow, depth, observer);
+      radiance += found.radiance();
+      division.add_found(false, path.first, found, depth);
+    }
     if (options_.counts(depth) && !end.in_medium) {
       const Arrival arrival{hit, normalize(path.ray.direction)};
       const Rgb light = depth == 0
@@ -88,6 +94,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
 PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampler, State& path,
                                       RayKind kind) const {
   Way begun{path.ray, {}, path.viewing.interiors};
+  if (has_glow_) begun.glow_draw = sampler.draw_1d(Purpose::glow);
   if (has_flights_) begun.flight.emplace(path.throughput, sampler.draw_1d(Purpose::medium));
   PassingRay passing(passages_, begun);
   const Ray first = passing.ray();
@@ -99,13 +106,15 @@ PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampl
   const Rgb left = way.weight();
   path.ray = way.ray;
   path.viewing.interiors = way.interiors;
+  End end{way.hit, {}, path.throughput * way.glow};
   path.throughput = path.throughput * left;
-  End end{way.hit, {}};
   if (way.is_scattered) {
-    end = {Hit{}, way.scattered_at()};
+    end.hit = {};
+    end.in_medium = way.scattered_at();
     path.cone = path.cone.at(way.t_scattered() * length(way.ray.direction));
   }
-  tracer.observer().arrived({way.ray, end.hit, path.throughput, left, way.flight && way.flight->has_begun()});
+  tracer.observer().arrived(
+      {way.ray, end.hit, path.throughput, left, way.glow, way.flight && way.flight->has_begun()});
   return end;
 }
 

@@ -29,8 +29,12 @@ class PathReference final : public Integrator {
 
   // What waves of the same scene and options share with it.
   LightTransport transport() const {
-    return {scene_, lights_, options_.direct, options_.samples_per_light,
-            passages_.empty() ? nullptr : &passages_};
+    return {scene_,
+            lights_,
+            options_.direct,
+            options_.samples_per_light,
+            passages_.empty() ? nullptr : &passages_,
+            has_glow_};
   }
   const BsdfTable& bsdfs() const { return bsdfs_; }
   const Passages& passages() const { return passages_; }
@@ -62,6 +66,7 @@ class PathReference final : public Integrator {
   struct End {
     Hit hit;
     std::optional<Vec3> in_medium;  ///< Then the hit is a miss.
+    Rgb glow;                       ///< What media on the way add to the sample's radiance.
 
     bool is_beyond_scene() const { return hit.is_miss() && !in_medium; }
   };
@@ -87,7 +92,7 @@ class PathReference final : public Integrator {
   BsdfTable bsdfs_;
   Passages passages_;
   bool has_environment_;
-  bool has_flights_;
+  bool has_flights_, has_glow_;
 };
 
 }  // namespace twinray

@@ -67,6 +67,18 @@ void PathWave::add_seen(std::size_t i, const Vec3& direction, const Rgb& radianc
   groups_of(i).move_to(records_[Division::groups][i], throughput);
 }
 
+void PathWave::add_glow(std::size_t i, const Rgb& radiance, int depth) {
+  if (!context_.options.counts(depth)) return;
+  const Rgb light = context_.options.clamped(radiance, depth);
+  const std::uint32_t sample = paths_.sample[i];
+  radiance_[sample] += light;
+  if (!has_light_paths_) return;
+  if (depth == 0)
+    add_seen_light(false, light, paths_of(sample));
+  else
+    add_scattered_light(first_scattering_of(sample), light, depth, paths_of(sample));
+}
+
 void PathWave::add_found_light() {
   if (context_.transport.method != DirectMethod::mis && wave_.others.empty()) return;
   Escaped escaped([&](std::span<const std::uint32_t> paths) { add_found_beyond(paths); });

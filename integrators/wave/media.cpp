@@ -8,31 +8,38 @@
 namespace twinray {
 
 void PathWave::take_off(std::uint32_t vertex) {
-  if (!context_.has_flights) return;
   const Scene& scene = context_.transport.scene;
-  draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.unused);
+  // Both are in one pair of draws.
+  if (context_.has_flights || context_.has_uneven_glow)
+    draw_at(vertex, Purpose::medium, {}, wave_.flight, wave_.glow);
+  if (!context_.has_flights) return;
   wave_.flights.assign(paths_.size, std::nullopt);
   for (std::size_t i = 0; i < paths_.size; ++i) {
-    const Interiors interiors = paths_.interiors_at(i);
-    if (!scattering_medium(scene.materials, interiors)) continue;
+    const Interior* const medium = medium_in(scene.materials, paths_.interiors_at(i));
+    if (!medium || !scatters(*medium)) continue;
     wave_.flights[i].emplace(paths_.throughput.at<Rgb>(i), wave_.flight[i]);
-    wave_.rays[i] = Way{wave_.rays[i], {}, interiors, {1, 1, 1}, wave_.flights[i]}.needed_ray(scene);
+    wave_.rays[i] = way_of(i, {}).needed_ray(scene);
   }
 }
 
-void PathWave::fly() {
+Way PathWave::way_of(std::size_t i, const Hit& hit) const {
+  Way way{wave_.rays[i], hit, paths_.interiors_at(i)};
+  if (context_.has_flights) way.flight = wave_.flights[i];
+  if (context_.transport.has_glow) way.glow_draw = wave_.glow[i];
+  return way;
+}
+
+void PathWave::fly(int depth) {
   if (!context_.has_interiors && context_.passages.empty()) return;
   wave_.passing.clear();
   for (std::size_t i = 0; i < paths_.size; ++i) {
     const Hit& hit = wave_.hits[i];
-    const Interiors interiors = paths_.interiors_at(i);
     const bool passes = context_.passages.is_one(wave_.rays[i], hit);
-    if (interiors.empty() && !passes) continue;
-    Way way{wave_.rays[i], hit, interiors};
+    if (paths_.interiors_at(i).empty() && !passes) continue;
+    Way way = way_of(i, hit);
     way.ray.t_max = std::numeric_limits<float>::infinity();
-    if (context_.has_flights) way.flight = wave_.flights[i];
     if (!passes) {
-      land(i, way);
+      land(i, way, depth);
       continue;
     }
     // It may come into a medium that scatters.
@@ -41,11 +48,12 @@ void PathWave::fly() {
     wave_.passing.emplace_back(std::uint32_t(i), context_.passages, way);
   }
   follow_passing(RayKind::bounce);
-  for (PassingPath& path : wave_.passing) land(path.index, path.ray.way());
+  for (PassingPath& path : wave_.passing) land(path.index, path.ray.way(), depth);
 }
 
-void PathWave::land(std::size_t i, Way way) {
+void PathWave::land(std::size_t i, Way way, int depth) {
   way.ends(context_.transport.scene);
+  if (!is_black(way.glow)) add_glow(i, paths_.throughput.at<Rgb>(i) * way.glow, depth);
   paths_.throughput.set(i, paths_.throughput.at<Rgb>(i) * way.weight());
   paths_.interiors.set(i, way.interiors.bits());
   wave_.rays[i] = way.ray;

@@ -40,7 +40,7 @@ void PathWave::trace() {
   const std::span<Hit> hits(wave_.hits);
   take_off(0);
   tracer_.camera_hits(rays.first(paths_.size), hits.first(paths_.size));
-  fly();
+  fly(0);
   record_coverage();
   for (;; ++depth_) {
     tracer_.arrive();
@@ -58,7 +58,7 @@ void PathWave::trace() {
     if ((is_last && !may_find_light()) || !scatter(is_last)) return;
     take_off(std::uint32_t(depth_) + 1);
     tracer_.bounce_hits(rays.first(paths_.size), hits.first(paths_.size));
-    fly();
+    fly(depth_ + 1);
   }
 }
 

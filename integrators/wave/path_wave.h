@@ -27,6 +27,7 @@ struct WaveContext {
   std::span<const Lamp> lamps;          ///< Likewise, where there are groups of lights.
   bool has_interiors = false;           ///< Of the scene: paths must know where they are.
   bool has_flights = false;             ///< Of the scene: media scatter paths,
+  bool has_uneven_glow = false;         ///< or emit light, here more than there,
   bool has_bodies = false;              ///< or surfaces let them into bodies below.
   bool has_environment = false;         ///< Of the scene: it is seen where nothing is hit.
   bool prefetches = true;               ///< Its surfaces do not stay in a cache.
@@ -67,11 +68,16 @@ class PathWave {
   // Between surfaces (integrators/wave/media.cpp).
   /// Of paths in media that scatter: how far their rays from this vertex go, and what is needed of them.
   void take_off(std::uint32_t vertex);
-  /// Follows rays to their ends, through what is not there, and takes from the paths what
-  /// media keep on the way. Where media scatter paths, their hits are of the shape medium().
-  void fly();
+  /// The ray of a path, up to where it begins.
+  Way way_of(std::size_t i, const Hit& hit) const;
+  /// Follows rays that are behind `depth` scattering events to their ends, through what is not there, takes
+  /// from the paths what media keep on the way, and adds what they emit. Where media scatter paths, their
+  /// hits are of the shape medium().
+  void fly(int depth);
   /// Where the ray of a path ends.
-  void land(std::size_t i, Way way);
+  void land(std::size_t i, Way way, int depth);
+  /// What media on its way have added.
+  void add_glow(std::size_t i, const Rgb& radiance, int depth);
   void connect_through_passages();
   /// Follows the `passing` rays through what they have hit.
   void follow_passing(RayKind kind);

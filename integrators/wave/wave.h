@@ -178,7 +178,8 @@ struct Wave {
   LobePaths lobe_paths;
   Floats ux, uy;        ///< Draws of a direction, or of roulette.
   Floats lobe, unused;  ///< Draws of how other surfaces scatter, and what comes with them.
-  Floats flight;        ///< Of how far paths get in media that scatter;
+  Floats flight;        ///< Of how far paths get in media that scatter,
+  Floats glow;          ///< and where they see media that emit;
   std::vector<std::optional<Flight>> flights;  ///< where they start in one, by that.
   // Where there are textures: where they are asked for, and draws of their pixels (TexturePoint).
   Floats texture_u, texture_v, footprint;

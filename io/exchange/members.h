@@ -255,6 +255,13 @@ void members(const Visit& visit, Interior& interior) {
 }
 
 template <typename Visit>
+void members(const Visit& visit, Glow& glow) {
+  visit("radiance", glow.radiance, Valid::not_negative);
+  visit("temperature_offset", glow.temperature_offset, Valid::any);
+  visit("temperature_scale", glow.temperature_scale, Valid::any);
+}
+
+template <typename Visit>
 void members(const Visit& visit, Subsurface& subsurface) {
   visit("radius", subsurface.radius, Valid::positive);
   visit("anisotropy", subsurface.anisotropy, Valid::anisotropy);

@@ -103,6 +103,8 @@ class SceneReader {
         entry.within("interior", [&](const Entry& inside) {
           members(MemberReader(inside), material.interior);
           if (inside.has("density")) material.interior.density = inside.index("density");
+          if (inside.has("glow"))
+            inside.within("glow", [&](const Entry& glow) { read_glow(glow, material.interior.glow); });
         });
       if (entry.has("subsurface")) {
         if (!may_have_subsurface(material.model))
@@ -140,6 +142,12 @@ class SceneReader {
   void read_picture(const Entry& entry, MeshLight& light) const {
     light.picture = read_picture(entry, has_luminance);
     if (entry.has("uv")) picture_members(MemberReader(entry), light);
+  }
+
+  void read_glow(const Entry& entry, Glow& glow) const {
+    members(MemberReader(entry), glow);
+    if (entry.has("factor")) glow.factor = entry.index("factor");
+    if (entry.has("temperature")) glow.temperature = entry.index("temperature");
   }
 
   /// The picture has a grid's slices, one above the other.

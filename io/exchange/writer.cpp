@@ -94,6 +94,14 @@ Json textures_json(const Scene& scene, const std::string& path) {
   return list;
 }
 
+Json glow_json(Glow glow) {
+  Json json = Json::object();
+  members(MemberWriter(json), glow);
+  if (glow.factor != no_density) json["factor"] = glow.factor;
+  if (glow.temperature != no_density) json["temperature"] = glow.temperature;
+  return json;
+}
+
 Json material_json(const Material& material) {
   Json json = named(material.name, json_of_any(material.model));
   for (TextureUse use : material.textures) {
@@ -107,6 +115,7 @@ Json material_json(const Material& material) {
   if (Interior interior = material.interior; has_interior(material)) {
     members(MemberWriter(json["interior"]), interior);
     if (interior.density != no_density) json["interior"]["density"] = interior.density;
+    if (interior.emits()) json["interior"]["glow"] = glow_json(interior.glow);
   }
   if (Subsurface subsurface = material.subsurface; has_subsurface(material))
     members(MemberWriter(json["subsurface"]), subsurface);

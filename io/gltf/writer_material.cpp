@@ -252,6 +252,9 @@ class Properties {
     if (!is_black(made_.material.interior.scattering))
       file_.output.losses.add("what a body scatters within is left out",
                               "what {} materials' bodies scatter within is left out");
+    if (made_.material.interior.emits())
+      file_.output.losses.add("the light that a body's medium emits is left out",
+                              "the light that {} materials' bodies emit within is left out");
     if (made_.material.interior.density != no_density)
       file_.output.losses.add("a body whose medium is not even is filled evenly",
                               "{} materials' bodies, whose media are not even, are filled evenly");

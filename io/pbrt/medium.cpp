@@ -47,15 +47,17 @@ Interior read_coefficients(const PbrtParameters& parameters, const MeasuredMediu
   // pbrt takes what is beyond as the nearest one, too.
   constexpr float most = PhaseFunction::most_anisotropy;
   interior.anisotropy = std::clamp(parameters.real("g", 0, {-1, 1}), -most, most);
-  if (!is_black(color_of(parameters, "Le", {}, ColorRole::light, context.files)))
-    parameters.place().warn(context.warnings, "light of media is not rendered");
-  parameters.find("Lescale");
+  interior.glow.radiance = color_of(parameters, "Le", {}, ColorRole::light, context.files);
   return interior;
 }
 
-DensityGrid read_grid(const PbrtParameters& parameters, const Transform& to_world) {
-  const auto cells = [&](const char* name) {
-    return parameters.integer(name, 1, {1, double(DensityGrid::most_cells)});
+/// Of a uniformgrid's numbers of this name, if there are any.
+std::shared_ptr<const DensityGrid> read_grid(const PbrtParameters& parameters, const char* name,
+                                             const Transform& to_world) {
+  const std::span<const float> values = parameters.reals(name);
+  if (values.empty()) return nullptr;
+  const auto cells = [&](const char* along) {
+    return parameters.integer(along, 1, {1, double(DensityGrid::most_cells)});
   };
   const DensityGrid::Size size{cells("nx"), cells("ny"), cells("nz")};
   Aabb corners;  // Of any order.
@@ -64,16 +66,44 @@ DensityGrid read_grid(const PbrtParameters& parameters, const Transform& to_worl
   const Vec3 &low = corners.lower, extent = corners.extent();
   const Transform box = to_world * Transform::translation(double(low.x), double(low.y), double(low.z)) *
                         Transform::scaling(double(extent.x), double(extent.y), double(extent.z));
-  const std::span<const float> values = parameters.reals("density");
-  if (values.empty()) parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
   try {
-    return DensityGrid(size, {values.begin(), values.end()}, box.inverse());
+    const std::vector<float> numbers(values.begin(), values.end());
+    return std::make_shared<const DensityGrid>(size, numbers, box.inverse());
   } catch (const Error& error) {
-    parameters.place().fail(error.what());
+    parameters.place().fail(fmt::format("\"{}\": {}", name, error.what()));
   }
 }
 
+/// What a number of a grid of temperatures means. Older files say "cutoff" for the offset.
+void read_temperature_range(const PbrtParameters& parameters, Glow& glow) {
+  const float cutoff = parameters.real("temperaturecutoff", 0);
+  glow.temperature_offset = parameters.real("temperatureoffset", cutoff);
+  glow.temperature_scale = parameters.real("temperaturescale", 1);
+}
+
 }  // namespace
+
+std::uint32_t PbrtMedia::add(const std::shared_ptr<const DensityGrid>& grid) {
+  if (!grid) return no_density;
+  densities.push_back(grid);
+  return std::uint32_t(densities.size() - 1);
+}
+
+Interior PbrtMedia::read_uniform_grid(const PbrtParameters& parameters, const Transform& to_world) {
+  Interior filling = read_coefficients(parameters, nullptr, context_);
+  filling.density = add(read_grid(parameters, "density", to_world));
+  if (filling.density == no_density)
+    parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
+  Glow& glow = filling.glow;
+  glow.factor = add(read_grid(parameters, "Lescale", to_world));
+  glow.temperature = add(read_grid(parameters, "temperature", to_world));
+  read_temperature_range(parameters, glow);
+  if (glow.temperature == no_density) return filling;
+  if (parameters.find("Le"))
+    parameters.place().fail("a medium has either \"Le\" or \"temperature\", not both");
+  glow.radiance = {1, 1, 1};
+  return filling;
+}
 
 void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters, const Transform& to_world) {
   const std::string type = parameters.text("type", "");
@@ -83,16 +113,12 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
   if (medium->filling) parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
   if (type == "homogeneous") {
     medium->filling = read_coefficients(parameters, preset_of(parameters, context_), context_);
+    Rgb& radiance = medium->filling->glow.radiance;
+    radiance = radiance * parameters.real("Lescale", 1, {0, 1e30});
     return parameters.warn_of_unused(context_.warnings);
   }
   if (type == "uniformgrid") {
-    medium->filling = read_coefficients(parameters, nullptr, context_);
-    medium->filling->density = std::uint32_t(densities.size());
-    densities.push_back(std::make_shared<const DensityGrid>(read_grid(parameters, to_world)));
-    if (parameters.find("temperature"))
-      parameters.place().warn(context_.warnings, "light of media is not rendered");
-    for (const char* known : {"temperaturescale", "temperatureoffset", "temperaturecutoff"})
-      parameters.find(known);
+    medium->filling = read_uniform_grid(parameters, to_world);
     return parameters.warn_of_unused(context_.warnings);
   }
   constexpr std::string_view unknown_kinds[] = {"rgbgrid", "cloud", "nanovdb"};

@@ -45,6 +45,10 @@ class PbrtMedia {
   std::vector<std::shared_ptr<const DensityGrid>> densities;  ///< Of those that are not even.
 
  private:
+  /// The index of a grid; no_density of none.
+  std::uint32_t add(const std::shared_ptr<const DensityGrid>& grid);
+  Interior read_uniform_grid(const PbrtParameters& parameters, const Transform& to_world);
+
   PbrtContext& context_;
   std::map<std::string, std::shared_ptr<PbrtMedium>> media_;
 };

@@ -8,39 +8,16 @@
 #include <cmath>
 #include <span>
 
-#include "core/elementary.h"
+#include "core/blackbody.h"
 #include "core/observer.h"
 
 namespace twinray {
 namespace {
 
-Observed between(const Observed& a, const Observed& b, double part) {
-  const auto mix = [part](double x, double y) { return x + part * (y - x); };
-  return {mix(a.wavelength, b.wavelength), mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z),
-          mix(a.daylight, b.daylight)};
-}
-
-/// The sum over wavelengths of the observer's curves times value(wavelength, daylight), in steps of 1 nm, as
-/// pbrt takes it: a line of sodium is 2 nm wide.
-template <typename Value>
-Xyz integrate(const Value& value) {
-  Xyz sum;
-  const auto add = [&](const Observed& o) {
-    const double v = value(o);
-    sum.x += o.x * v, sum.y += o.y * v, sum.z += o.z * v;
-  };
-  const std::span<const Observed> rows = observer();
-  const int steps = int(rows[1].wavelength - rows[0].wavelength);
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-    for (int step = 0; step < steps; ++step) add(between(rows[i], rows[i + 1], double(step) / steps));
-  add(rows.back());
-  return sum;
-}
-
 /// What the observer sees of daylight itself.
 const Xyz& daylight() {
-  static const Xyz seen = integrate([](const Observed& o) { return o.daylight; });
-  return seen;
+  static const Xyz light = seen([](const Observed& o) { return o.daylight; });
+  return light;
 }
 
 Rgb clipped(const std::array<double, 3>& c) {
@@ -48,14 +25,6 @@ Rgb clipped(const std::array<double, 3>& c) {
 }
 
 Rgb unit_luminance(const Xyz& c) { return c.y > 0 ? clipped(to_rgb({c.x / c.y, 1, c.z / c.y})) : Rgb{}; }
-
-/// Planck's law up to a factor; h c / k in nm K.
-double planck(double wavelength, double kelvin) {
-  constexpr double hc_over_k = 1.438776877e7;
-  const double log2_e = 1.4426950408889634;
-  const double x = wavelength / 560;  // about 1, so that nothing overflows
-  return 1 / (x * x * x * x * x * (exp2_of(log2_e * hc_over_k / (wavelength * kelvin)) - 1));
-}
 
 struct ListedSpectrum {
   Spectrum spectrum;
@@ -127,19 +96,18 @@ float Spectrum::at(float wavelength) const {
 }
 
 Rgb light_color(const Spectrum& spectrum) {
-  return unit_luminance(
-      integrate([&](const Observed& o) { return double(spectrum.at(float(o.wavelength))); }));
+  return unit_luminance(seen([&](const Observed& o) { return double(spectrum.at(float(o.wavelength))); }));
 }
 
 Rgb blackbody_color(double kelvin) {
-  return unit_luminance(integrate([&](const Observed& o) { return planck(o.wavelength, kelvin); }));
+  return unit_luminance(seen([&](const Observed& o) { return planck(o.wavelength, kelvin); }));
 }
 
 Rgb matter_color(const Spectrum& spectrum) {
-  const auto seen = to_rgb(
-      integrate([&](const Observed& o) { return o.daylight * double(spectrum.at(float(o.wavelength))); }));
+  const auto lit =
+      to_rgb(seen([&](const Observed& o) { return o.daylight * double(spectrum.at(float(o.wavelength))); }));
   const auto light = to_rgb(daylight());
-  return clipped({seen[0] / light[0], seen[1] / light[1], seen[2] / light[2]});
+  return clipped({lit[0] / light[0], lit[1] / light[1], lit[2] / light[2]});
 }
 
 float luminous_mean(const Spectrum& spectrum) {
@@ -147,8 +115,8 @@ float luminous_mean(const Spectrum& spectrum) {
     return spectrum.at(
         std::clamp(float(o.wavelength), spectrum.wavelengths.front(), spectrum.wavelengths.back()));
   };
-  const double seen = integrate([&](const Observed& o) { return o.daylight * double(at(o)); }).y;
-  return float(seen / daylight().y);
+  const double lit = seen([&](const Observed& o) { return o.daylight * double(at(o)); }).y;
+  return float(lit / daylight().y);
 }
 
 Spectrum parse_spectrum(const PbrtFile& file) {

@@ -11,10 +11,14 @@
 namespace twinray {
 namespace {
 
-std::string grid_text(const DensityGrid& grid) {
+std::string size_text(const DensityGrid& grid) {
   const auto& [nx, ny, nz] = grid.size();
-  std::string text = pbrt_integer("nx", nx) + pbrt_integer("ny", ny) + pbrt_integer("nz", nz);
-  text += "\n  \"float density\" [";
+  return pbrt_integer("nx", nx) + pbrt_integer("ny", ny) + pbrt_integer("nz", nz);
+}
+
+std::string grid_text(const char* name, const DensityGrid& grid) {
+  const auto& [nx, ny, nz] = grid.size();
+  std::string text = fmt::format("\n  \"float {}\" [", name);
   for (int z = 0; z < nz; ++z)
     for (int y = 0; y < ny; ++y)
       for (int x = 0; x < nx; ++x)
@@ -22,17 +26,62 @@ std::string grid_text(const DensityGrid& grid) {
   return text + " ]";
 }
 
-/// Where the transform is the identity.
-std::string medium_text(const Scene& scene, const std::string& name, const Interior& interior) {
-  const auto statement = [&](const char* type, const std::string& grid) {
-    return fmt::format("MakeNamedMedium {}{}{}{}{}{}\n", pbrt_string(name), pbrt_word("type", type),
-                       pbrt_rgb("sigma_a", interior.absorption), pbrt_rgb("sigma_s", interior.scattering),
-                       interior.anisotropy != 0 ? pbrt_real("g", interior.anisotropy) : "", grid);
-  };
-  if (interior.density == no_density) return statement("homogeneous", "");
-  const DensityGrid& grid = *scene.densities[interior.density];
-  return pbrt_transform(grid.to_unit().inverse()) + statement("uniformgrid", grid_text(grid)) + "Identity\n";
+bool is_like(const DensityGrid& a, const DensityGrid& b) {
+  return a.size() == b.size() && a.to_unit() == b.to_unit();
 }
+
+/// Where the transform is the identity.
+class MediumText {
+ public:
+  MediumText(const Scene& scene, const Interior& interior, Losses& losses)
+      : scene_(scene), interior_(interior), losses_(losses) {}
+
+  std::string statement(const std::string& name) {
+    if (interior_.density == no_density) return make(name, "homogeneous", even_glow());
+    const DensityGrid& grid = *scene_.densities[interior_.density];
+    const std::string numbers = size_text(grid) + grid_text("density", grid) + glow_of(grid);
+    return pbrt_transform(grid.to_unit().inverse()) + make(name, "uniformgrid", numbers) + "Identity\n";
+  }
+
+ private:
+  std::string make(const std::string& name, const char* type, const std::string& rest) const {
+    return fmt::format("MakeNamedMedium {}{}{}{}{}{}\n", pbrt_string(name), pbrt_word("type", type),
+                       pbrt_rgb("sigma_a", interior_.absorption), pbrt_rgb("sigma_s", interior_.scattering),
+                       interior_.anisotropy != 0 ? pbrt_real("g", interior_.anisotropy) : "", rest);
+  }
+  std::string even_glow() {
+    if (!interior_.emits()) return "";
+    if (interior_.glow.is_uneven())
+      losses_.add("light of an even medium that is not even is written as if it were",
+                  "lights of {} even media that are not even are written as if they were");
+    return pbrt_rgb("Le", interior_.glow.radiance);
+  }
+  /// pbrt's grids of one medium have one size, and lie in one place.
+  std::string glow_of(const DensityGrid& density) {
+    const Glow& glow = interior_.glow;
+    if (!interior_.emits()) return "";
+    std::string text;
+    for (const auto& [index, name] :
+         {std::pair{glow.factor, "Lescale"}, std::pair{glow.temperature, "temperature"}}) {
+      if (index == no_density) continue;
+      if (is_like(*scene_.densities[index], density))
+        text += grid_text(name, *scene_.densities[index]);
+      else
+        losses_.add("where a medium emits light is left out: it does not go by the grid of its density",
+                    "where {} media emit light is left out: they do not go by the grids of their densities");
+    }
+    if (glow.temperature == no_density) return pbrt_rgb("Le", glow.radiance) + text;
+    if (glow.radiance != Rgb{1, 1, 1})
+      losses_.add("the factor of a medium's temperatures is left out",
+                  "the factors of {} media's temperatures are left out");
+    return text + pbrt_real("temperatureoffset", glow.temperature_offset) +
+           pbrt_real("temperaturescale", glow.temperature_scale);
+  }
+
+  const Scene& scene_;
+  const Interior& interior_;
+  Losses& losses_;
+};
 
 /// The media inside and outside of shapes.
 std::string between(const std::string& inside, const std::string& outside) {
@@ -59,8 +108,9 @@ PbrtMediaWriter::PbrtMediaWriter(const Scene& scene, const std::vector<std::stri
   std::vector<std::pair<std::string, std::string>> statements;  // By the medium's name.
   if (scene.atmosphere != no_material) {
     atmosphere_ = "around all shapes";
-    statements.emplace_back(atmosphere_,
-                            medium_text(scene, atmosphere_, scene.materials[scene.atmosphere].interior));
+    statements.emplace_back(
+        atmosphere_,
+        MediumText(scene, scene.materials[scene.atmosphere].interior, losses).statement(atmosphere_));
   }
   for (std::size_t i = 0; i < names.size(); ++i) {
     const Material& material = scene.materials[i];
@@ -71,7 +121,7 @@ PbrtMediaWriter::PbrtMediaWriter(const Scene& scene, const std::vector<std::stri
     if (is_black(material.interior.extinction()) || !lets_light_in(material)) continue;
     media_[i] = "within " + names[i];
     if (first_.empty()) first_ = media_[i];
-    statements.emplace_back(media_[i], medium_text(scene, media_[i], material.interior));
+    statements.emplace_back(media_[i], MediumText(scene, material.interior, losses).statement(media_[i]));
   }
   const ShapeRange direct = scene.geometry->direct_shapes();
   for (std::uint32_t shape = direct.first; shape < direct.end(); ++shape) {

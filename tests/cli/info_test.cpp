@@ -123,10 +123,13 @@ TEST_CASE("info tells of media, and of the memory of those that are not even") {
       "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 2 \"float density\" [ 1 2 ] "
       "\"rgb sigma_s\" [ 0 0 0 ] MediumInterface \"m\" \"air\" Material \"interface\" Shape \"sphere\"");
   const nlohmann::json info = info_of(scene);
-  CHECK(info["media"] ==
-        nlohmann::json{
-            {"absorbing", 1}, {"scattering", 1}, {"uneven", 1}, {"subsurface", 0}, {"atmosphere", true}});
-  CHECK(info["memory_bytes"]["densities of media"] == 4 * 3 * 3 * 4);
+  CHECK(info["media"] == nlohmann::json{{"absorbing", 1},
+                                        {"scattering", 1},
+                                        {"uneven", 1},
+                                        {"glowing", 0},
+                                        {"subsurface", 0},
+                                        {"atmosphere", true}});
+  CHECK(info["memory_bytes"]["densities of media"] == (9 * 9 * 9 + 1) * 4);
   CHECK(contains(run_program("info " + quoted(scene)).out,
                  "media: 1 that absorb, 1 that scatter light, 1 of them not even; an atmosphere\n"));
 }

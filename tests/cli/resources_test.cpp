@@ -72,7 +72,7 @@ TEST_CASE("threads that can all be made are no warning, more than the machine ha
                                 backend_name(backend), folder.file("a.png")));
     CAPTURE(backend_name(backend));
     CHECK(result.exit_code == 0);
-    CHECK(result.err.empty());
+    CHECK(result.err == "");
   }
 }
 
@@ -206,7 +206,7 @@ TEST_CASE("where no thread can be made it renders on its first one, on every eng
     CAPTURE(backend_name(backend));
     const ProcessResult one = render("-t 1"), eight = render("-t 8"), all = render("");
     CHECK(one.exit_code == 0);
-    CHECK(one.err.empty());
+    CHECK(one.err == "");
     CHECK(eight.exit_code == 0);
     CHECK(
         eight.err ==
@@ -241,7 +241,7 @@ TEST_CASE("where some threads can be made it renders on those") {
       "processes): it runs on those\n");
   const ProcessResult enough = render_with_few(3, fmt::format("-t 4 -o '{}'", folder.file("a.png")));
   CHECK(enough.exit_code == 0);
-  CHECK(enough.err.empty());
+  CHECK(enough.err == "");
 }
 
 #endif

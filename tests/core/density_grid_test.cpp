@@ -103,15 +103,17 @@ TEST_CASE("a grid is reached where so much lies before, and no further than wher
     const Vec3 origin = Vec3{0.5f, 0.5f, 0.5f} + random.in_ball() * 2.0f;
     const Ray ray{.origin = origin, .direction = Vec3{random.unit(), random.unit(), random.unit()} - origin};
     const double whole = grid.amount(ray, 0, infinity);
-    CHECK(grid.reach(ray, 0, infinity, whole * 1.001 + 1e-6) == infinity);
+    CHECK(grid.reach(ray, 0, infinity, whole * 1.001 + 1e-6).t == infinity);
     if (whole < 1e-3) continue;
     for (const double part : {1e-3, 0.3, 0.9}) {
-      const float t = grid.reach(ray, 0, infinity, whole * part);
+      const float t = grid.reach(ray, 0, infinity, whole * part).t;
       REQUIRE(t < infinity);
       CHECK(grid.amount(ray, 0, t) == Approx(whole * part).epsilon(1e-4).margin(1e-6));
-      CHECK(grid.reach(ray, 0, t * 0.99f, whole * part) == infinity);
+      CHECK(grid.reach(ray, 0, t * 0.99f, whole * part).t == infinity);
+      CHECK(grid.reach(ray, 0, t * 0.5f, whole * part).amount == grid.amount(ray, 0, t * 0.5f));
+      CHECK(grid.reach(ray, 0, infinity, whole * part).amount == whole * part);
       // From behind its beginning.
-      CHECK(grid.amount(ray, t, grid.reach(ray, t, infinity, whole * (1 - part) * 0.5)) ==
+      CHECK(grid.amount(ray, t, grid.reach(ray, t, infinity, whole * (1 - part) * 0.5).t) ==
             Approx(whole * (1 - part) * 0.5).epsilon(1e-3));
     }
   }
@@ -142,9 +144,61 @@ TEST_CASE("a grid of densities that cannot be is refused") {
   CHECK(error_of({1, 1, 1}, {infinity}).find("finite") != std::string::npos);
   CHECK(error_of({1, 1, 1}, {1}, Transform::scaling(1, 0, 1)) ==
         "a grid of densities lies in a box that is flat or too large");
+  CHECK(error_of({5000, 5000, 5000}, {}).find("in all they must not be more than 68719476736") !=
+        std::string::npos);
   const DensityGrid grid({2, 1, 3}, {0, 1, 2, 3, 4, 5}, {});
   CHECK(grid.value(1, 0, 2) == 5);
   CHECK(grid.value(0, 0, 1) == 2);
+}
+
+TEST_CASE("a grid of several bricks has the numbers of all cells, and points between those of both sides") {
+  for (const DensityGrid::Size& size : {DensityGrid::Size{7, 8, 9}, {15, 16, 17}, {1, 40, 3}}) {
+    const std::vector<float> values = some_values(size);
+    const DensityGrid grid(size, values, {});
+    auto value = values.begin();
+    for (int z = 0; z < size[2]; ++z)
+      for (int y = 0; y < size[1]; ++y)
+        for (int x = 0; x < size[0]; ++x) REQUIRE(grid.value(x, y, z) == *value++);
+    Random random(9);
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 point{random.uniform(-0.1f, 1.1f), random.uniform(-0.1f, 1.1f), random.uniform(-0.1f, 1.1f)};
+      const double unit[3] = {double(point.x), double(point.y), double(point.z)};
+      REQUIRE(grid.at(point) == Approx(density_at(size, values, unit)).margin(1e-9));
+    }
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 origin = Vec3{0.5f, 0.5f, 0.5f} + random.in_ball() * 2.0f;
+      const Ray ray{.origin = origin,
+                    .direction = Vec3{random.unit(), random.unit(), random.unit()} - origin};
+      CHECK(grid.amount(ray, 0, 3) ==
+            Approx(amount_of(size, values, {}, ray, 0, 3)).epsilon(4e-3).margin(1e-3));
+    }
+  }
+}
+
+TEST_CASE("a grid keeps memory for what is not 0, and crosses the rest") {
+  DensityGrid grid({4000, 4000, 4000}, {});
+  const std::size_t empty = grid.bytes();
+  CHECK(empty < 600e6);
+  grid.set(1, 2, 3, 0);
+  CHECK(grid.bytes() == empty);
+  grid.set(2000, 2001, 2002, 5);
+  CHECK(grid.bytes() - empty < 20000);
+  CHECK(grid.value(2000, 2001, 2002) == 5);
+  const auto middle = [](int cell) { return (float(cell) + 0.5f) / 4000; };
+  const Ray ray{.origin = {middle(2000), middle(2001), -1}, .direction = {0, 0, 1}};
+  CHECK(grid.amount(ray, 0, infinity) == Approx(5.0 / 4000).epsilon(0.01));
+  CHECK(grid.at({middle(2000), middle(2001), middle(2002)}) == Approx(5).epsilon(0.01));
+  CHECK(error_text([&] { grid.set(0, 0, 0, -2); }) == "a density is -2; it must be finite and >= 0");
+}
+
+TEST_CASE("what lies along a ray is asked for up to where it is enough") {
+  const DensityGrid grid({30, 1, 1}, std::vector<float>(30, 2.0f), {});
+  const Ray ray{.origin = {-1, 0.5f, 0.5f}, .direction = {1, 0, 0}};
+  const double whole = grid.amount(ray, 0, infinity);
+  CHECK(grid.amount(ray, 0, infinity, 10) == whole);
+  const double part = grid.amount(ray, 0, infinity, 0.5);
+  CHECK(part > 0.5);
+  CHECK(part < 0.6);
 }
 
 }  // namespace twinray::test

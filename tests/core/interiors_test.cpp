@@ -143,23 +143,45 @@ TEST_CASE("what is clear is remembered where anything absorbs light or has a pri
 TEST_CASE("a medium that scatters dims what goes straight on, and is found where it is") {
   std::vector<Material> materials{glass(1.5f, 0, {1, 0, 0.5f}), glass(1.5f, 1)};
   Interiors inside;
-  CHECK(scattering_medium(materials, inside) == nullptr);
+  CHECK(medium_in(materials, inside) == nullptr);
   inside.enter(0);
-  CHECK(scattering_medium(materials, inside) == nullptr);
+  CHECK(medium_in(materials, inside) == &materials[0].interior);
+  CHECK_FALSE(scatters(*medium_in(materials, inside)));
   CHECK_FALSE(has_flights(materials));
   materials[1].interior.density = 0;
   CHECK(has_flights(materials));
   materials[1].interior.density = no_density;
   materials[0].interior.scattering = {1, 3, 0};
   CHECK(has_flights(materials));
-  CHECK(scattering_medium(materials, inside) == &materials[0]);
+  CHECK(scatters(*medium_in(materials, inside)));
   const Rgb left = transmittance(materials, inside, 0.5f);
   CHECK(left.r == Approx(std::exp(-1.0)));
   CHECK(left.g == Approx(std::exp(-1.5)));
   CHECK(left.b == Approx(std::exp(-0.25)));
   // Something of a higher priority is there instead.
   inside.enter(1);
-  CHECK(scattering_medium(materials, inside) == nullptr);
+  CHECK(medium_in(materials, inside) == &materials[1].interior);
+}
+
+TEST_CASE("so much of a medium leaves nothing that it dims, and less leaves something") {
+  const Rgb extinction{0.5f, 0, 2};
+  const float most = opaque_amount(extinction);
+  CHECK(transmittance(extinction, most) == Rgb{0, 1, 0});
+  CHECK(transmittance(extinction, 0.98f * most).r > 0);
+  CHECK(opaque_amount({}) == 0);
+}
+
+TEST_CASE("a medium emits what it absorbs, and no more") {
+  std::vector<Material> materials{glass(1.5f, 0, {1, 0, 0.5f})};
+  CHECK_FALSE(has_glow(materials));
+  materials[0].interior.glow.radiance = {0, 5, 0};
+  CHECK_FALSE(has_glow(materials));
+  materials[0].interior.glow.radiance = {2, 5, 3};
+  CHECK(has_glow(materials));
+  CHECK(materials[0].interior.emission() == Rgb{2, 0, 1.5f});
+  CHECK_FALSE(has_uneven_glow(materials));
+  materials[0].interior.glow.temperature = 0;
+  CHECK(has_uneven_glow(materials));
 }
 
 TEST_CASE("interiors that cannot be are refused") {

@@ -104,6 +104,74 @@ TEST_CASE("a body that scatters all light cannot be told from a white sky, by ev
   check_mean(estimate(scene, {.max_depth = 100, .roulette = {1}}, small_picture(1024)), 1, 0.2);
 }
 
+TEST_CASE("a body as bright as the sky cannot be told from it, whatever it absorbs and scatters") {
+  Interior ember = smoke;
+  ember.glow.radiance = {1, 1, 1};
+  Interior clear = ember;
+  clear.scattering = {};
+  const auto check_unseen = [](const Scene& scene, DirectMethod method = DirectMethod::mis) {
+    const PathOptions path{.max_depth = 100, .direct = method, .roulette = {1}};
+    check_mean(estimate(scene, path, small_picture(1024)), 1, 0.2);
+  };
+  for (const DirectMethod method : all_methods)
+    check_unseen(under(ball_of(Interface{}, ember), constant_sky({1, 1, 1})), method);
+  // Within glass radiance is larger, by its index of refraction squared.
+  Interior dense = ember;
+  dense.glow.radiance = dense.glow.radiance * (1.4f * 1.4f);
+  check_unseen(under(ball_of(Dielectric{.ior = 1.4f}, dense), constant_sky({1, 1, 1})));
+  // Where light is absorbed alone, nothing is left to chance.
+  CHECK(estimate(under(ball_of(Interface{}, clear), constant_sky({1, 1, 1})), {}, small_picture(4)).mean ==
+        Approx(1).epsilon(1e-5));
+  ember.density = clear.density = 0;
+  for (const Interior& uneven : {ember, clear}) {
+    Scene scene = under(ball_of(Interface{}, uneven), constant_sky({1, 1, 1}));
+    scene.densities = {grid_of({2, 3, 2}, {0, 9, 4, 1, 0, 3, 8, 0, 2, 5, 9, 1}, 0.6)};
+    check_unseen(scene);
+  }
+  // In a mirror, too, within each other, and around everything.
+  Scene nested = under(ball_of(Interface{}, ember), constant_sky({1, 1, 1}));
+  nested.densities = {grid_of({1, 1, 1}, {2}, 0.6)};
+  std::vector<Shape> shapes = nested.geometry->shapes();
+  shapes.push_back(SphereSet{"inner", {{{0, 0.1f, 0}, 0.5f}}});
+  shapes.push_back(SphereSet{"mirror", {{{0.5f, 0, -0.2f}, 0.3f}}});
+  nested.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  nested.materials.push_back({"inner", Interface{}, {}, grey(1, 2)});
+  nested.materials.back().interior.glow.radiance = {1, 1, 1};
+  nested.materials.push_back({"mirror", Mirror{}});
+  nested.bindings.push_back({1});
+  nested.bindings.push_back({2});
+  check_unseen(nested);
+  nested.lights.clear();
+  nested.materials.push_back({"air", Interface{}, {}, grey(0.1f, 0.2f)});
+  nested.materials.back().interior.glow.radiance = {1, 1, 1};
+  nested.atmosphere = 3;
+  check_unseen(nested);
+}
+
+TEST_CASE("light of a medium lights what stands beside it") {
+  // A thin glowing ball far above a floor is a point of light: radiance times absorption times volume.
+  Scene scene = scene_of(floor_square(30, 0), {0.5f, 0.5f, 0.5f}, {0, 1, 0.01f}, {0, 0, 0});
+  scene.camera.tan_half_width = scene.camera.tan_half_height = 1e-3f;
+  std::vector<Shape> shapes = scene.geometry->shapes();
+  shapes.push_back(SphereSet{"ball", {{{0, 9, 0}, 1}}});
+  scene.geometry = std::make_shared<const Geometry>(std::move(shapes));
+  scene.materials.push_back({"ember", Interface{}, {}, {.absorption = {1e-3f, 1e-3f, 1e-3f}}});
+  scene.materials.back().interior.glow.radiance = {1000, 1000, 1000};
+  scene.bindings.push_back({1});
+  check_scene(scene);
+  const double intensity = 1 * 4.0 / 3 * double(pi), expected = 0.5 / double(pi) * intensity / (9 * 9);
+  const Estimate once = estimate(scene, {.max_depth = 1}, small_picture(65536));
+  check_mean(once, expected, 0.1);
+  // As a part of the picture it is indirect light neither of surfaces nor of the sky.
+  RenderOptions options = small_picture(64);
+  options.light_paths = true;
+  const Film film = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), options).film;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      CHECK(parts_at(film, Division::paths, x, y)[std::size_t(LightPath::diffuse_direct)] ==
+            film.pixel(x, y).mean());
+}
+
 TEST_CASE("in a furnace a body that scatters all light is white") {
   for (const SurfaceModel& model : {SurfaceModel(Interface{}), SurfaceModel(Dielectric{.ior = 1.4f})}) {
     const Scene scene = ball_of(model, grey(0, 1));

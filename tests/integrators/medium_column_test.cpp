@@ -16,12 +16,14 @@ TEST_CASE("a column of an even medium is as long as the way, and one of a grid a
   // Through the middle of a cube of side 4, whose density falls from 4 to half of that at its faces.
   const Ray ray{.origin = {2, 2, -2}, .direction = {0, 0, 2}, .t_min = 0.5f};
   CHECK(MediumColumn(scene, even, ray, 2.5f).amount() == 4);
-  CHECK(MediumColumn(scene, even, ray, 2.5f).reach(3) == 3);
-  CHECK(MediumColumn(scene, even, ray, 2.5f).reach(4) == std::numeric_limits<float>::infinity());
+  CHECK(MediumColumn(scene, even, ray, 2.5f).reach(3).distance == 3);
+  CHECK(MediumColumn(scene, even, ray, 2.5f).reach(4).distance == std::numeric_limits<float>::infinity());
+  CHECK(MediumColumn(scene, even, ray, 2.5f).reach(9).amount == 4);
+  CHECK(MediumColumn(scene, uneven, ray, 9).reach(13).amount == Approx(3 * 4));
   CHECK(MediumColumn(scene, uneven, ray, 2).amount() == Approx(3 * 2));
   CHECK(MediumColumn(scene, uneven, ray, 9).amount() == Approx(3 * 4));
-  CHECK(MediumColumn(scene, uneven, ray, 9).reach(6) == Approx(1 + 2));
-  CHECK(MediumColumn(scene, uneven, ray, 9).reach(13) == std::numeric_limits<float>::infinity());
+  CHECK(MediumColumn(scene, uneven, ray, 9).reach(6).distance == Approx(1 + 2));
+  CHECK(MediumColumn(scene, uneven, ray, 9).reach(13).distance == std::numeric_limits<float>::infinity());
 }
 
 TEST_CASE("a ray that is cut behind a way is no shorter than the way, and hardly longer") {

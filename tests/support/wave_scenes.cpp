@@ -197,6 +197,8 @@ Scene scene_in_media() {
   scene.densities = {std::make_shared<const DensityGrid>(
       DensityGrid::Size{2, 3, 2}, std::vector<float>{0, 9, 4, 1, 0, 3, 8, 0, 2, 5, 9, 1},
       Transform::scaling(0.4, 0.4, 0.4) * Transform::translation(1.2, 1.2, 1.2))};
+  scene.densities.push_back(std::make_shared<const DensityGrid>(
+      DensityGrid::Size{1, 2, 2}, std::vector<float>{1500, 3000, 8000, 500}, scene.densities[0]->to_unit()));
   std::uint32_t next = 0;
   for (Material& material : scene.materials) {
     Interior& interior = material.interior;
@@ -204,6 +206,9 @@ Scene scene_in_media() {
     interior.scattering = Rgb{2, 0.5f, 1} * (0.25f * float(next));
     interior.anisotropy = 0.2f * float(next % 7) - 0.6f;
     if (next++ == 3) interior.density = 0;
+    if (next % 3 == 0) interior.glow.radiance = {0.5f, 1, 2};
+    if (next == 3) interior.glow.factor = 0;
+    if (next == 6) interior.glow.temperature = 1;
   }
   add_models(scene, {Hair{}, Hair{.reflectance = white, .longitudinal_roughness = 0.1f}});
   add_ball(scene, std::uint32_t(scene.materials.size() - 1), {{0.4f, 0.3f, 0.2f}, 0.3f});

@@ -409,11 +409,13 @@ TEST_CASE("written gltf: what bodies and the atmosphere scatter is named, and wh
   Scene scene = scene_of(triangle(), clear);
   scene.densities = {
       std::make_shared<const DensityGrid>(DensityGrid::Size{1, 1, 1}, std::vector<float>{1}, Transform{})};
-  scene.materials[0].interior = {.absorption = {1, 1, 1}, .scattering = {0, 0, 1}, .density = 0};
+  scene.materials[0].interior = {
+      .absorption = {1, 1, 1}, .scattering = {0, 0, 1}, .density = 0, .glow = {.radiance = {1, 0, 0}}};
   scene.materials.push_back({"air", Interface{}, {}, {.scattering = {1, 1, 1}}});
   scene.atmosphere = 1;
   CHECK(round_trip(scene, "a.gltf").warnings ==
         std::vector<std::string>{"what a body scatters within is left out",
+                                 "the light that a body's medium emits is left out",
                                  "a body whose medium is not even is filled evenly",
                                  "what fills the space around the camera is left out"});
 }

@@ -214,8 +214,78 @@ TEST_CASE("a uniformgrid is a medium whose density lies in its box, in the space
   CHECK(turned.scene.densities[0]->to_unit().point({-1, 0, 1}) == Vec3{0, 0, 0});
   CHECK(turned.scene.densities[0]->to_unit().point({1, 1, 5}) == Vec3{1, 1, 1});
   CHECK(warnings_of(grid(numbers + "\"string preset\" \"Skin1\"")).size() == 1);
-  CHECK(warnings_of(grid(numbers + "\"float temperature\" [ 1 2 3 4 ]")) ==
-        std::vector<std::string>{"light of media is not rendered"});
+}
+
+TEST_CASE("light of media: pbrt's color, factors from point to point, and temperatures") {
+  const auto loaded = [](const std::string& type, const std::string& parameters) {
+    const LoadedScene scene =
+        load_pbrt_world("MakeNamedMedium \"m\" \"string type\" \"" + type + "\" " + parameters +
+                        " Material \"interface\" MediumInterface \"m\" \"\" " + ball);
+    CHECK(scene.warnings.empty());
+    return scene;
+  };
+  const LoadedScene even = loaded("homogeneous", "\"rgb Le\" [ 1 2 4 ] \"float Lescale\" 3");
+  CHECK(material_of(even, 0).interior.glow == Glow{.radiance = {3, 6, 12}});
+  CHECK_FALSE(material_of(loaded("homogeneous", "\"float Lescale\" 3"), 0).interior.emits());
+  const std::string numbers = "\"integer nx\" 2 \"float density\" [ 1 2 ] ";
+  const LoadedScene factors =
+      loaded("uniformgrid", numbers + "\"rgb Le\" [ 1 2 4 ] \"float Lescale\" [ 5 6 ]");
+  CHECK(material_of(factors, 0).interior.glow == Glow{.radiance = {1, 2, 4}, .factor = 1});
+  CHECK(factors.scene.densities[1]->value(1, 0, 0) == 6);
+  const LoadedScene hot =
+      loaded("uniformgrid", numbers +
+                                "\"float temperature\" [ 7 8 ] \"float temperaturescale\" "
+                                "100 \"float temperatureoffset\" -3");
+  CHECK(material_of(hot, 0).interior.glow ==
+        Glow{.radiance = {1, 1, 1}, .temperature = 1, .temperature_offset = -3, .temperature_scale = 100});
+  CHECK(hot.scene.densities[1]->value(0, 0, 0) == 7);
+  const LoadedScene older =
+      loaded("uniformgrid", numbers + "\"float temperature\" [ 7 8 ] \"float temperaturecutoff\" 2");
+  CHECK(material_of(older, 0).interior.glow.temperature_offset == 2);
+  const auto error = [&](const std::string& parameters) {
+    return pbrt_error("MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" " + numbers + parameters);
+  };
+  CHECK(test::contains(error("\"float temperature\" [ 7 8 ] \"rgb Le\" [ 1 1 1 ]"),
+                       "either \"Le\" or \"temperature\", not both"));
+  CHECK(test::contains(error("\"float temperature\" [ 7 ]"), "\"temperature\": a grid of 2 x 1 x 1"));
+  CHECK(test::contains(error("\"float Lescale\" [ 7 -8 ]"), "\"Lescale\": a density is -8"));
+}
+
+TEST_CASE("written pbrt and exchange: light of media comes back as it was, or what is lost is named") {
+  const auto scene_with = [](const Glow& glow, std::uint32_t density) {
+    Scene scene = test::scene_of(SphereSet{"ball", {{{0, 0, 0}, 1}}}, Dielectric{});
+    scene.materials[0].interior = {.absorption = {1, 2, 3}, .density = density, .glow = glow};
+    for (float k = 0; k < 3; ++k)
+      scene.densities.push_back(std::make_shared<const DensityGrid>(
+          DensityGrid::Size{2, 1, 1}, std::vector<float>{k + 1, 5}, Transform::scaling(1, 1, k < 2 ? 1 : 2)));
+    check_scene(scene);
+    return scene;
+  };
+  const Glow glows[] = {{.radiance = {4, 5, 6}},
+                        {.radiance = {4, 5, 6}, .factor = 1},
+                        {{1, 1, 1}, no_density, 1, 0.25f, 2},
+                        {{1, 1, 1}, 0, 1, 0.25f, 2}};
+  for (const Glow& glow : glows)
+    for (const char* name : {"a.pbrt", "a.json"}) {
+      if (name == std::string("a.pbrt") && glow.factor == 0) continue;  // Its grids have no one order.
+      const test::RoundTrip trip = test::round_trip(scene_with(glow, 0), name);
+      CHECK(trip.warnings.empty());
+      CHECK(trip.scene.materials[0].interior.glow == glow);
+      CHECK(trip.scene.materials[0].interior.density == 0);
+    }
+  const test::RoundTrip even = test::round_trip(scene_with(glows[0], no_density), "a.pbrt");
+  CHECK(even.warnings.empty());
+  CHECK(even.scene.materials[0].interior.glow == glows[0]);
+  const auto losses = [&](const Glow& glow, std::uint32_t density) {
+    return test::round_trip(scene_with(glow, density), "a.pbrt").warnings;
+  };
+  CHECK(losses(glows[1], no_density) ==
+        std::vector<std::string>{"light of an even medium that is not even is written as if it were"});
+  CHECK(losses({.radiance = {1, 1, 1}, .factor = 2}, 0) ==
+        std::vector<std::string>{
+            "where a medium emits light is left out: it does not go by the grid of its density"});
+  CHECK(losses({.radiance = {2, 1, 1}, .temperature = 1}, 0) ==
+        std::vector<std::string>{"the factor of a medium's temperatures is left out"});
 }
 
 TEST_CASE("a grid of densities that moves is something that moves") {
