@@ -51,24 +51,29 @@ Interior read_coefficients(const PbrtParameters& parameters, const MeasuredMediu
   return interior;
 }
 
+/// Of a uniformgrid: takes the space of the scene to the one in which its box is [0, 1]^3.
+Transform read_box(const PbrtParameters& parameters, const Transform& to_world) {
+  Aabb corners;  // Of any order.
+  corners.extend(parameters.point("p0", {0, 0, 0}));
+  corners.extend(parameters.point("p1", {1, 1, 1}));
+  const Vec3 &low = corners.lower, extent = corners.extent();
+  return (to_world * Transform::translation(double(low.x), double(low.y), double(low.z)) *
+          Transform::scaling(double(extent.x), double(extent.y), double(extent.z)))
+      .inverse();
+}
+
 /// Of a uniformgrid's numbers of this name, if there are any.
 std::shared_ptr<const DensityGrid> read_grid(const PbrtParameters& parameters, const char* name,
-                                             const Transform& to_world) {
+                                             const Transform& to_unit) {
   const std::span<const float> values = parameters.reals(name);
   if (values.empty()) return nullptr;
   const auto cells = [&](const char* along) {
     return parameters.integer(along, 1, {1, double(DensityGrid::most_cells)});
   };
   const DensityGrid::Size size{cells("nx"), cells("ny"), cells("nz")};
-  Aabb corners;  // Of any order.
-  corners.extend(parameters.point("p0", {0, 0, 0}));
-  corners.extend(parameters.point("p1", {1, 1, 1}));
-  const Vec3 &low = corners.lower, extent = corners.extent();
-  const Transform box = to_world * Transform::translation(double(low.x), double(low.y), double(low.z)) *
-                        Transform::scaling(double(extent.x), double(extent.y), double(extent.z));
   try {
     const std::vector<float> numbers(values.begin(), values.end());
-    return std::make_shared<const DensityGrid>(size, numbers, box.inverse());
+    return std::make_shared<const DensityGrid>(size, numbers, to_unit);
   } catch (const Error& error) {
     parameters.place().fail(fmt::format("\"{}\": {}", name, error.what()));
   }
@@ -91,17 +96,23 @@ std::uint32_t PbrtMedia::add(const std::shared_ptr<const DensityGrid>& grid) {
 
 Interior PbrtMedia::read_uniform_grid(const PbrtParameters& parameters, const Transform& to_world) {
   Interior filling = read_coefficients(parameters, nullptr, context_);
-  filling.density = add(read_grid(parameters, "density", to_world));
+  const Transform to_unit = read_box(parameters, to_world);
+  filling.density = add(read_grid(parameters, "density", to_unit));
   if (filling.density == no_density)
     parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
   Glow& glow = filling.glow;
-  glow.factor = add(read_grid(parameters, "Lescale", to_world));
-  glow.temperature = add(read_grid(parameters, "temperature", to_world));
+  glow.factor = add(read_grid(parameters, "Lescale", to_unit));
+  glow.temperature = add(read_grid(parameters, "temperature", to_unit));
   read_temperature_range(parameters, glow);
-  if (glow.temperature == no_density) return filling;
-  if (parameters.find("Le"))
-    parameters.place().fail("a medium has either \"Le\" or \"temperature\", not both");
-  glow.radiance = {1, 1, 1};
+  if (glow.temperature != no_density) {
+    if (parameters.find("Le"))
+      parameters.place().fail("a medium has either \"Le\" or \"temperature\", not both");
+    glow.radiance = {1, 1, 1};
+  }
+  // pbrt's factor is a grid of one 1 then, which falls to an eighth in the corners of the box.
+  if (filling.emits() && glow.factor == no_density)
+    glow.factor =
+        add(std::make_shared<const DensityGrid>(DensityGrid::Size{1, 1, 1}, std::vector{1.0f}, to_unit));
   return filling;
 }
 

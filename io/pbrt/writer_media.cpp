@@ -26,8 +26,10 @@ std::string grid_text(const char* name, const DensityGrid& grid) {
   return text + " ]";
 }
 
-bool is_like(const DensityGrid& a, const DensityGrid& b) {
-  return a.size() == b.size() && a.to_unit() == b.to_unit();
+/// What the factor of a grid's light is that does not say one.
+bool is_pbrts_own_factor(const DensityGrid& factor, const DensityGrid& density) {
+  return factor.size() == DensityGrid::Size{1, 1, 1} && factor.value(0, 0, 0) == 1 &&
+         factor.to_unit() == density.to_unit();
 }
 
 /// Where the transform is the identity.
@@ -57,19 +59,27 @@ class MediumText {
     return pbrt_rgb("Le", interior_.glow.radiance);
   }
   /// pbrt's grids of one medium have one size, and lie in one place.
+  std::string grid_or_loss(const char* name, const DensityGrid& grid, const DensityGrid& density) {
+    if (grid.size() == density.size() && grid.to_unit() == density.to_unit()) return grid_text(name, grid);
+    losses_.add("where a medium emits light is left out: it does not go by the grid of its density",
+                "where {} media emit light is left out: they do not go by the grids of their densities");
+    return "";
+  }
+  std::string factor_text(const DensityGrid& density) {
+    const std::uint32_t factor = interior_.glow.factor;
+    if (factor != no_density && is_pbrts_own_factor(*scene_.densities[factor], density)) return "";
+    constexpr const char* name = "Lescale";
+    if (factor != no_density) return grid_or_loss(name, *scene_.densities[factor], density);
+    const auto& [nx, ny, nz] = density.size();  // Without any it would be pbrt's own.
+    const std::vector<float> ones(std::size_t(nx) * std::size_t(ny) * std::size_t(nz), 1);
+    return grid_text(name, DensityGrid(density.size(), ones, density.to_unit()));
+  }
   std::string glow_of(const DensityGrid& density) {
     const Glow& glow = interior_.glow;
     if (!interior_.emits()) return "";
-    std::string text;
-    for (const auto& [index, name] :
-         {std::pair{glow.factor, "Lescale"}, std::pair{glow.temperature, "temperature"}}) {
-      if (index == no_density) continue;
-      if (is_like(*scene_.densities[index], density))
-        text += grid_text(name, *scene_.densities[index]);
-      else
-        losses_.add("where a medium emits light is left out: it does not go by the grid of its density",
-                    "where {} media emit light is left out: they do not go by the grids of their densities");
-    }
+    std::string text = factor_text(density);
+    if (glow.temperature != no_density)
+      text += grid_or_loss("temperature", *scene_.densities[glow.temperature], density);
     if (glow.temperature == no_density) return pbrt_rgb("Le", glow.radiance) + text;
     if (glow.radiance != Rgb{1, 1, 1})
       losses_.add("the factor of a medium's temperatures is left out",

@@ -236,8 +236,12 @@ TEST_CASE("light of media: pbrt's color, factors from point to point, and temper
       loaded("uniformgrid", numbers +
                                 "\"float temperature\" [ 7 8 ] \"float temperaturescale\" "
                                 "100 \"float temperatureoffset\" -3");
-  CHECK(material_of(hot, 0).interior.glow ==
-        Glow{.radiance = {1, 1, 1}, .temperature = 1, .temperature_offset = -3, .temperature_scale = 100});
+  CHECK(material_of(hot, 0).interior.glow == Glow{{1, 1, 1}, 2, 1, -3, 100});
+  // Without factors pbrt has a grid of one.
+  REQUIRE(hot.scene.densities.size() == 3);
+  CHECK(hot.scene.densities[2]->size() == DensityGrid::Size{1, 1, 1});
+  CHECK(hot.scene.densities[2]->value(0, 0, 0) == 1);
+  CHECK(hot.scene.densities[2]->to_unit() == hot.scene.densities[0]->to_unit());
   CHECK(hot.scene.densities[1]->value(0, 0, 0) == 7);
   const LoadedScene older =
       loaded("uniformgrid", numbers + "\"float temperature\" [ 7 8 ] \"float temperaturecutoff\" 2");
@@ -252,36 +256,48 @@ TEST_CASE("light of media: pbrt's color, factors from point to point, and temper
 }
 
 TEST_CASE("written pbrt and exchange: light of media comes back as it was, or what is lost is named") {
+  const auto interior_of = [](const Scene& scene) {
+    return scene.materials[scene.bindings.at(0).material].interior;
+  };
   const auto scene_with = [](const Glow& glow, std::uint32_t density) {
     Scene scene = test::scene_of(SphereSet{"ball", {{{0, 0, 0}, 1}}}, Dielectric{});
     scene.materials[0].interior = {.absorption = {1, 2, 3}, .density = density, .glow = glow};
-    for (float k = 0; k < 3; ++k)
+    for (float k = 0; k < 4; ++k)
       scene.densities.push_back(std::make_shared<const DensityGrid>(
-          DensityGrid::Size{2, 1, 1}, std::vector<float>{k + 1, 5}, Transform::scaling(1, 1, k < 2 ? 1 : 2)));
+          DensityGrid::Size{2, 1, 1}, std::vector<float>{k + 1, 5}, Transform::scaling(1, 1, k < 3 ? 1 : 2)));
     check_scene(scene);
     return scene;
   };
-  const Glow glows[] = {{.radiance = {4, 5, 6}},
-                        {.radiance = {4, 5, 6}, .factor = 1},
-                        {{1, 1, 1}, no_density, 1, 0.25f, 2},
-                        {{1, 1, 1}, 0, 1, 0.25f, 2}};
-  for (const Glow& glow : glows)
+  const Glow even_glow{.radiance = {4, 5, 6}}, factors{.radiance = {4, 5, 6}, .factor = 1},
+      hot{{1, 1, 1}, 1, 2, 0.25f, 2};
+  for (const Glow& glow : {factors, hot})
     for (const char* name : {"a.pbrt", "a.json"}) {
-      if (name == std::string("a.pbrt") && glow.factor == 0) continue;  // Its grids have no one order.
       const test::RoundTrip trip = test::round_trip(scene_with(glow, 0), name);
       CHECK(trip.warnings.empty());
-      CHECK(trip.scene.materials[0].interior.glow == glow);
-      CHECK(trip.scene.materials[0].interior.density == 0);
+      CHECK(interior_of(trip.scene).glow == glow);
+      CHECK(interior_of(trip.scene).density == 0);
     }
-  const test::RoundTrip even = test::round_trip(scene_with(glows[0], no_density), "a.pbrt");
+  CHECK(interior_of(test::round_trip(scene_with(even_glow, 0), "a.json").scene).glow == even_glow);
+  const Scene ones = test::round_trip(scene_with(even_glow, 0), "a.pbrt").scene;
+  CHECK(interior_of(ones).glow == factors);
+  CHECK(ones.densities[1]->value(0, 0, 0) == 1);
+  // What pbrt has by itself is not written.
+  Scene own = scene_with(factors, 0);
+  own.densities[1] = std::make_shared<const DensityGrid>(DensityGrid::Size{1, 1, 1}, std::vector<float>{1},
+                                                         own.densities[0]->to_unit());
+  const test::RoundTrip own_trip = test::round_trip(own, "a.pbrt");
+  CHECK(interior_of(own_trip.scene).glow == factors);
+  CHECK(own_trip.scene.densities[1]->size() == DensityGrid::Size{1, 1, 1});
+  CHECK_FALSE(test::contains(own_trip.text, "Lescale"));
+  const test::RoundTrip even = test::round_trip(scene_with(even_glow, no_density), "a.pbrt");
   CHECK(even.warnings.empty());
-  CHECK(even.scene.materials[0].interior.glow == glows[0]);
+  CHECK(interior_of(even.scene).glow == even_glow);
   const auto losses = [&](const Glow& glow, std::uint32_t density) {
     return test::round_trip(scene_with(glow, density), "a.pbrt").warnings;
   };
-  CHECK(losses(glows[1], no_density) ==
+  CHECK(losses(factors, no_density) ==
         std::vector<std::string>{"light of an even medium that is not even is written as if it were"});
-  CHECK(losses({.radiance = {1, 1, 1}, .factor = 2}, 0) ==
+  CHECK(losses({.radiance = {1, 1, 1}, .factor = 3}, 0) ==
         std::vector<std::string>{
             "where a medium emits light is left out: it does not go by the grid of its density"});
   CHECK(losses({.radiance = {2, 1, 1}, .temperature = 1}, 0) ==
@@ -436,8 +452,6 @@ TEST_CASE("what of media is not rendered is said, and what is none is an error")
   CHECK(warnings_of(begin + "\"homogeneous\" \"string preset\" \"Skim\"") ==
         std::vector<std::string>{"there is no measured medium \"Skim\": its coefficients are those of the "
                                  "statement; \"Skin1\" is the nearest name"});
-  CHECK(warnings_of(begin + "\"homogeneous\" \"rgb Le\" [ 1 1 1 ]") ==
-        std::vector<std::string>{"light of media is not rendered"});
   CHECK(pbrt_error(begin + "\"fog\"").find("there is no medium \"fog\"; valid are homogeneous") !=
         std::string::npos);
   CHECK(pbrt_error("MakeNamedMedium \"m\"").find("\"string type\"") != std::string::npos);
