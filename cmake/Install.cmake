@@ -94,6 +94,7 @@ set(private_headers
   integrators/denoise/regression.h
   integrators/denoise/tile.h
   integrators/sample_maker.h
+  integrators/channels.h
   integrators/wave/camera-inl.h
   integrators/wave/camera_stage.h
   integrators/wave/coats-inl.h
@@ -171,4 +172,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinrayConfig.cmake.in t
 write_basic_package_version_file(twinrayConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twinrayConfig.cmake ${PROJECT_BINARY_DIR}/twinrayConfigVersion.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindLibZip.cmake ${CMAKE_CURRENT_LIST_DIR}/Findwebp.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/Findblosc.cmake
         DESTINATION ${package_folder})

@@ -26,7 +26,7 @@ class DensityGrid {
   /// No grid is larger than this along an axis,
   static constexpr int most_cells = 1 << 14;
   /// or has more cells.
-  static constexpr std::int64_t most_cells_in_all = std::int64_t(1) << 36;
+  static constexpr std::int64_t most_cells_in_all = std::int64_t(1) << 33;
 
   /// Of zeros. `to_unit` takes the scene's space to the one in which the box is [0, 1]^3. Throws Error for a
   /// size out of range, or where the transform flattens.

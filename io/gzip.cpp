@@ -21,16 +21,16 @@ struct EndInflate {
 /// Takes a gzip header and its checksum; a bit in zlib's number of window bits.
 constexpr int gzip_window_bits = 15 + 16;
 
+}  // namespace
+
 void check_growth(const std::string& name, std::uint64_t unpacked, std::uint64_t packed) {
   if (unpacked > max_input_bytes)
     throw Error(fmt::format("{}: unpacked, the file has more than {} bytes, the most that are read", name,
                             max_input_bytes));
   if (unpacked > gzip_small_bytes && unpacked / gzip_most_growth > packed)
-    throw Error(fmt::format("{}: {} bytes of gzip grow beyond {} bytes, more than a hundredfold", name,
-                            packed, gzip_small_bytes));
+    throw Error(fmt::format("{}: {} packed bytes grow beyond {} bytes, more than a hundredfold", name, packed,
+                            gzip_small_bytes));
 }
-
-}  // namespace
 
 bool is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
 
@@ -60,6 +60,13 @@ std::string unpack_gzip(std::string_view bytes, const std::string& name) {
       throw Error(fmt::format("{}: the gzip file is damaged: {}", name, stream.msg ? stream.msg : "unknown"));
     }
   }
+}
+
+void unpack_zlib(std::string_view packed, std::span<char> room, const std::string& name) {
+  uLongf size = room.size();
+  const int code = uncompress(reinterpret_cast<Bytef*>(room.data()), &size,
+                              reinterpret_cast<const Bytef*>(packed.data()), packed.size());
+  if (code != Z_OK || size != room.size()) throw Error(name + ": what zlib has packed is damaged");
 }
 
 std::string read_unpacked(const std::string& path) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one door to zlib: unpacks gzip files.
+// The one door to zlib: unpacks gzip files, and bytes in zlib's own form.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,13 @@ bool is_gzip(std::string_view bytes);
 /// where it is damaged or cut off, or grows beyond max_input_bytes, or beyond gzip_small_bytes and more than
 /// gzip_most_growth times.
 std::string unpack_gzip(std::string_view bytes, const std::string& name);
+
+/// Throws Error where so many bytes would grow beyond max_input_bytes, or beyond gzip_small_bytes and more
+/// than gzip_most_growth times. `name` stands for the file in messages.
+void check_growth(const std::string& name, std::uint64_t unpacked, std::uint64_t packed);
+
+/// Unpacks bytes in zlib's form (RFC 1950) that fill `room`. Throws Error where they do not, or are damaged.
+void unpack_zlib(std::string_view packed, std::span<char> room, const std::string& name);
 
 /// The bytes of an input file, unpacked where they are gzip. Throws Error.
 std::string read_unpacked(const std::string& path);

@@ -35,10 +35,10 @@ Bezier segment(const Curve& curve, std::size_t i) {
 }
 
 /// De Casteljau's scheme: the point, and a vector along the curve that is 0 where it stands still.
-struct Place {
+struct CurvePlace {
   Vec3 point, along;
 };
-Place place_at(const Bezier& b, float t) {
+CurvePlace place_at(const Bezier& b, float t) {
   const Vec3 ab = lerp(b[0], b[1], t), bc = lerp(b[1], b[2], t), cd = lerp(b[2], b[3], t);
   const Vec3 abc = lerp(ab, bc, t), bcd = lerp(bc, cd, t);
   return {lerp(abc, bcd, t), bcd - abc};
@@ -73,7 +73,7 @@ std::vector<Section> sections_of(const Curve& curve) {
   const std::size_t count = segments_of(curve.basis, curve.degree, curve.points.size());
   std::vector<Section> sections;
   const auto add = [&](const Bezier& bezier, std::size_t i, float t) {
-    Place place = place_at(bezier, t);
+    CurvePlace place = place_at(bezier, t);
     if (!(length(place.along) > 0)) place.along = bezier[3] - bezier[0];
     if (!(length(place.along) > 0)) place.along = sections.empty() ? Vec3{0, 0, 1} : sections.back().along;
     const float u = (float(i) + t) / float(count);

@@ -9,6 +9,8 @@
 
 #include "core/aabb.h"
 #include "core/phase_function.h"
+#include "io/nanovdb/grid.h"
+#include "io/pbrt/cloud.h"
 #include "io/pbrt/measured_media.h"
 #include "io/pbrt/spectrum.h"
 
@@ -51,15 +53,30 @@ Interior read_coefficients(const PbrtParameters& parameters, const MeasuredMediu
   return interior;
 }
 
-/// Of a uniformgrid: takes the space of the scene to the one in which its box is [0, 1]^3.
-Transform read_box(const PbrtParameters& parameters, const Transform& to_world) {
-  Aabb corners;  // Of any order.
-  corners.extend(parameters.point("p0", {0, 0, 0}));
-  corners.extend(parameters.point("p1", {1, 1, 1}));
-  const Vec3 &low = corners.lower, extent = corners.extent();
+/// The box of a medium that ends by itself: corners of any order.
+Aabb read_box(const PbrtParameters& parameters) {
+  Aabb box;
+  box.extend(parameters.point("p0", {0, 0, 0}));
+  box.extend(parameters.point("p1", {1, 1, 1}));
+  return box;
+}
+
+/// Takes the space of the scene to the one in which the box is [0, 1]^3.
+Transform unit_of(const Aabb& box, const Transform& to_world) {
+  const Vec3 &low = box.lower, extent = box.extent();
   return (to_world * Transform::translation(double(low.x), double(low.y), double(low.z)) *
           Transform::scaling(double(extent.x), double(extent.y), double(extent.z)))
       .inverse();
+}
+
+/// What `make` makes; where it throws Error, the place is that of the parameters.
+template <typename Make>
+auto made_at(const PbrtParameters& parameters, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    parameters.place().fail(error.what());
+  }
 }
 
 /// Of a uniformgrid's numbers of this name, if there are any.
@@ -96,7 +113,7 @@ std::uint32_t PbrtMedia::add(const std::shared_ptr<const DensityGrid>& grid) {
 
 Interior PbrtMedia::read_uniform_grid(const PbrtParameters& parameters, const Transform& to_world) {
   Interior filling = read_coefficients(parameters, nullptr, context_);
-  const Transform to_unit = read_box(parameters, to_world);
+  const Transform to_unit = unit_of(read_box(parameters), to_world);
   filling.density = add(read_grid(parameters, "density", to_unit));
   if (filling.density == no_density)
     parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
@@ -116,6 +133,51 @@ Interior PbrtMedia::read_uniform_grid(const PbrtParameters& parameters, const Tr
   return filling;
 }
 
+Interior PbrtMedia::read_cloud(const PbrtParameters& parameters, const Transform& to_world) {
+  Interior filling = read_coefficients(parameters, nullptr, context_);
+  filling.glow = {};
+  constexpr NumberRange any_strength{0, 1e6};
+  const PbrtCloud cloud{parameters.real("density", 1, any_strength),
+                        parameters.real("wispiness", 1, any_strength),
+                        parameters.real("frequency", 5, any_strength)};
+  const Aabb box = read_box(parameters);
+  filling.density = add(made_at(parameters, [&] {
+    return std::make_shared<const DensityGrid>(cloud_grid(cloud, box, unit_of(box, to_world)));
+  }));
+  return filling;
+}
+
+std::shared_ptr<const DensityGrid> PbrtMedia::read_nvdb(const PbrtParameters& parameters,
+                                                        const NvdbFile& file, const std::string& name,
+                                                        const Transform& to_world) {
+  const NvdbGrid grid = made_at(parameters, [&] { return read_nvdb_grid(file, name, to_world); });
+  if (grid.negative > 0)
+    parameters.place().warn(context_.warnings,
+                            fmt::format("{} of the numbers of \"{}\" in {} are below 0: 0 stands for them",
+                                        grid.negative, name, file.name()));
+  return grid.densities;
+}
+
+Interior PbrtMedia::read_nanovdb(const PbrtParameters& parameters, const Transform& to_world) {
+  Interior filling = read_coefficients(parameters, nullptr, context_);
+  const PbrtParameter* const named = parameters.find("filename");
+  const std::string name = parameters.text("filename", "");
+  if (name.empty()) parameters.place().fail("a nanovdb medium needs its file, \"string filename\"");
+  const std::string path = context_.files.path(named->place, name),
+                    bytes = context_.files.bytes(named->place, path);
+  const NvdbFile file = made_at(parameters, [&] { return NvdbFile(bytes, path); });
+  const std::string density = parameters.text("gridname", "density"),
+                    temperature = parameters.text("temperaturename", "temperature");
+  filling.density = add(read_nvdb(parameters, file, density, to_world));
+  filling.glow = {};
+  read_temperature_range(parameters, filling.glow);
+  const float strength = parameters.real("Lescale", 1, {0, 1e30});
+  if (!file.has(temperature)) return filling;
+  filling.glow.radiance = {strength, strength, strength};
+  filling.glow.temperature = add(read_nvdb(parameters, file, temperature, to_world));
+  return filling;
+}
+
 void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters, const Transform& to_world) {
   const std::string type = parameters.text("type", "");
   if (type.empty()) parameters.place().fail("MakeNamedMedium needs the kind of medium, \"string type\"");
@@ -126,22 +188,22 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
     medium->filling = read_coefficients(parameters, preset_of(parameters, context_), context_);
     Rgb& radiance = medium->filling->glow.radiance;
     radiance = radiance * parameters.real("Lescale", 1, {0, 1e30});
-    return parameters.warn_of_unused(context_.warnings);
-  }
-  if (type == "uniformgrid") {
+  } else if (type == "uniformgrid") {
     medium->filling = read_uniform_grid(parameters, to_world);
-    return parameters.warn_of_unused(context_.warnings);
+  } else if (type == "cloud") {
+    medium->filling = read_cloud(parameters, to_world);
+  } else if (type == "nanovdb") {
+    medium->filling = read_nanovdb(parameters, to_world);
+  } else if (type == "rgbgrid") {
+    parameters.place().warn(context_.warnings,
+                            fmt::format("a medium of the kind \"{}\" is not rendered: it is clear", type));
+    medium->filling = Interior{};
+    return;
+  } else {
+    parameters.place().fail(fmt::format(
+        "there is no medium \"{}\"; valid are homogeneous, uniformgrid, rgbgrid, cloud and nanovdb", type));
   }
-  constexpr std::string_view unknown_kinds[] = {"rgbgrid", "cloud", "nanovdb"};
-  for (const std::string_view each : unknown_kinds)
-    if (type == each) {
-      parameters.place().warn(context_.warnings,
-                              fmt::format("a medium of the kind \"{}\" is not rendered: it is clear", type));
-      medium->filling = Interior{};
-      return;
-    }
-  parameters.place().fail(fmt::format(
-      "there is no medium \"{}\"; valid are homogeneous, uniformgrid, rgbgrid, cloud and nanovdb", type));
+  parameters.warn_of_unused(context_.warnings);
 }
 
 PbrtMediumPointer PbrtMedia::named(const std::string& name, const PbrtPlace& place) {

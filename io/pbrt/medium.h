@@ -8,6 +8,7 @@
 
 #include "core/density_grid.h"
 #include "core/material.h"
+#include "io/nanovdb/file.h"
 #include "io/pbrt/context.h"
 #include "io/pbrt/parameters.h"
 
@@ -48,6 +49,11 @@ class PbrtMedia {
   /// The index of a grid; no_density of none.
   std::uint32_t add(const std::shared_ptr<const DensityGrid>& grid);
   Interior read_uniform_grid(const PbrtParameters& parameters, const Transform& to_world);
+  Interior read_cloud(const PbrtParameters& parameters, const Transform& to_world);
+  Interior read_nanovdb(const PbrtParameters& parameters, const Transform& to_world);
+  /// A grid of a file.
+  std::shared_ptr<const DensityGrid> read_nvdb(const PbrtParameters& parameters, const NvdbFile& file,
+                                               const std::string& name, const Transform& to_world);
 
   PbrtContext& context_;
   std::map<std::string, std::shared_ptr<PbrtMedium>> media_;

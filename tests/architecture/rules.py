@@ -37,6 +37,8 @@ DOORS = {
     "libjpeg": (r"jpeglib\.h|jerror\.h",
                 r"io/picture/jpeg_reader\.cpp|tests/io/picture/jpeg_reader_test\.cpp"),
     "zlib": (r"zlib\.h", r"io/gzip\.cpp"),
+    "Blosc": (r"blosc\.h", r"io/nanovdb/blosc\.cpp"),
+    "NanoVDB": (r"nanovdb/", r"io/nanovdb/grid\.cpp|tests/io/nanovdb/nvdb_bytes\.cpp"),
     "Zstandard": (r"zstd\.h", r"io/film/zstd\.cpp"),
     "xxHash": (r"xxhash\.h", r"io/film/content_hash\.cpp"),
     "libzip": (r"zip\.h", r"io/zip_archive\.cpp"),

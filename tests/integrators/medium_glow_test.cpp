@@ -72,10 +72,11 @@ TEST_CASE("an even medium glows by what a ray absorbs of it, however thin or lon
   };
   for (const float t : {1e-9f, 1e-6f, 1e-3f, 0.02f, 0.03f, 0.5f, 3.0f, 40.0f})
     check_close(medium_glow(scene, medium, along_z, t, 0.5f), expected(2 * double(t)), 1e-5);
-  check_close(medium_glow(scene, medium, along_z, std::numeric_limits<float>::infinity(), 0.5f), {0.75f, 2, 0}, 1e-6);
+  constexpr float endless = std::numeric_limits<float>::infinity();
+  check_close(medium_glow(scene, medium, along_z, endless, 0.5f), {0.75f, 2, 0}, 1e-6);
   // Nothing that is not absorbed is emitted.
   medium.absorption = {};
-  CHECK(medium_glow(scene, medium, along_z, std::numeric_limits<float>::infinity(), 0.5f) == Rgb{});
+  CHECK(medium_glow(scene, medium, along_z, endless, 0.5f) == Rgb{});
 }
 
 TEST_CASE("light of media in grids is the integral along the ray") {
