@@ -48,6 +48,48 @@ void walk_boxes(const Line& line, int width, const Index& first, const Index& la
 
 }  // namespace
 
+class DensityGrid::CellOnLine {
+ public:
+  CellOnLine(const float* brick, const Index& cell, const Line& line) : direction_(line.direction) {
+    const auto within = [](int at) { return std::size_t(at % cells); };
+    corners_ = brick + within(cell[2]) * slice + within(cell[1]) * row + within(cell[0]);
+    for (std::size_t k = 0; k < 3; ++k) origin_[k] = line.origin[k] - double(cell[k]);
+  }
+
+  double density(double t) const {
+    const double x = origin_[0] + direction_[0] * t, y = origin_[1] + direction_[1] * t,
+                 z = origin_[2] + direction_[2] * t;
+    const auto along_x = [&](std::size_t i) {
+      return between(double(corners_[i]), double(corners_[i + 1]), x);
+    };
+    return between(between(along_x(0), along_x(row), y), between(along_x(slice), along_x(slice + row), y), z);
+  }
+  double integral(double from, double to) const {
+    constexpr double node = 0.57735026918962576;  // 1 / sqrt(3)
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    return half * (density(middle - half * node) + density(middle + half * node));
+  }
+  /// Up to which the integral is so much, which it is up to `to`: by Newton's steps, or halves where these
+  /// lead out of what is left.
+  double reach(double from, double to, double amount) const {
+    double low = from, high = to, t = 0.5 * (from + to);
+    constexpr int most_steps = 60;
+    constexpr double enough = 0x1p-40;  // More than a float tells apart.
+    for (int i = 0; i < most_steps && high - low > enough * (to - from); ++i) {
+      const double rest = amount - integral(from, t);
+      (rest > 0 ? low : high) = t;
+      const double next = t + rest / density(t);
+      if (std::fabs(next - t) < enough * (to - from)) break;
+      t = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return t;
+  }
+
+ private:
+  const float* corners_;  ///< The lowest of eight.
+  std::array<double, 3> origin_, direction_;
+};
+
 DensityGrid::DensityGrid(const Size& size, const Transform& to_unit) : size_(size), to_unit_(to_unit) {
   const auto [least, most] = std::minmax_element(size.begin(), size.end());
   if (*least < 1 || *most > most_cells)
@@ -113,16 +155,17 @@ const float* DensityGrid::brick_at(const Index& brick) const {
 }
 
 float DensityGrid::value(int x, int y, int z) const {
-  const Index cell{x, y, z};  // Its point is the upper one of the lattice's cell of the same index.
+  // Its point is the upper one of the lattice's cell of the same index.
   const float* const brick = brick_at({x / cells, y / cells, z / cells});
-  return brick ? corners_of(brick, cell)[7] : 0;
+  const auto upper = [](int at) { return std::size_t(at % cells + 1); };
+  return brick ? brick[upper(z) * slice + upper(y) * row + upper(x)] : 0;
 }
 
 double DensityGrid::at(const Vec3& point) const {
   double value = 0;
   const Line line = line_of({point, {}});
-  walk(line, 0, 1, [&](const Index& cell, const Corners& corners, double, double) {
-    value = between_corners(line, cell, corners, 0);
+  walk(line, 0, 1, [&](const CellOnLine& cell, double, double) {
+    value = cell.density(0);
     return false;
   });
   return value;
@@ -139,29 +182,6 @@ DensityGrid::Line DensityGrid::line_of(const Ray& ray) const {
     line.direction[k] = (to_unit[0] * d[0] + to_unit[1] * d[1] + to_unit[2] * d[2]) * size_[k];
   }
   return line;
-}
-
-DensityGrid::Corners DensityGrid::corners_of(const float* brick, const Index& cell) {
-  const auto within = [](int at) { return std::size_t(at % cells); };
-  const float* const v = brick + within(cell[2]) * slice + within(cell[1]) * row + within(cell[0]);
-  return {v[0], v[1], v[row], v[row + 1], v[slice], v[slice + 1], v[slice + row], v[slice + row + 1]};
-}
-
-double DensityGrid::between_corners(const Line& line, const Index& cell, const Corners& corners, double t) {
-  double part[3];
-  for (std::size_t k = 0; k < 3; ++k) part[k] = std::clamp(line.at(k, t) - double(cell[k]), 0.0, 1.0);
-  const auto along_x = [&](std::size_t i) {
-    return between(double(corners[i]), double(corners[i + 1]), part[0]);
-  };
-  return between(between(along_x(0), along_x(2), part[1]), between(along_x(4), along_x(6), part[1]), part[2]);
-}
-
-double DensityGrid::integral(const Line& line, const Index& cell, const Corners& corners, double from,
-                             double to) {
-  constexpr double node = 0.57735026918962576;  // 1 / sqrt(3)
-  const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
-  return half * (between_corners(line, cell, corners, middle - half * node) +
-                 between_corners(line, cell, corners, middle + half * node));
 }
 
 template <typename Visit>
@@ -189,7 +209,7 @@ void DensityGrid::walk(const Line& line, double from, double to, const Visit& vi
     }
     bool goes_on = true;
     walk_boxes(line, 1, first_cell, last_cell, enters, leaves, [&](const Index& cell, double a, double b) {
-      return goes_on = visit(cell, corners_of(brick, cell), a, b);
+      return goes_on = visit(CellOnLine(brick, cell, line), a, b);
     });
     return goes_on;
   });
@@ -199,8 +219,8 @@ double DensityGrid::amount(const Ray& ray, float from, float to, double most) co
   const Line line = line_of(ray);
   const double scale = double(length(ray.direction));
   double sum = 0;
-  walk(line, double(from), double(to), [&](const Index& cell, const Corners& corners, double a, double b) {
-    sum += integral(line, cell, corners, a, b);
+  walk(line, double(from), double(to), [&](const CellOnLine& cell, double a, double b) {
+    sum += cell.integral(a, b);
     return sum * scale <= most;
   });
   return sum * scale;
@@ -210,19 +230,13 @@ DensityGrid::Reach DensityGrid::reach(const Ray& ray, float from, float to, doub
   const Line line = line_of(ray);
   const double scale = double(length(ray.direction)), wanted = amount / scale;
   double passed = 0, found = never;
-  walk(line, double(from), double(to), [&](const Index& cell, const Corners& corners, double a, double b) {
-    const double whole = integral(line, cell, corners, a, b), rest = wanted - passed;
+  walk(line, double(from), double(to), [&](const CellOnLine& cell, double a, double b) {
+    const double whole = cell.integral(a, b), rest = wanted - passed;
     if (whole < rest) {
       passed += whole;
       return true;
     }
-    double low = a, high = b;
-    constexpr int halvings = 40;  // More than a float tells apart.
-    for (int i = 0; i < halvings; ++i) {
-      const double middle = 0.5 * (low + high);
-      (integral(line, cell, corners, a, middle) < rest ? low : high) = middle;
-    }
-    found = high;
+    found = cell.reach(a, b, rest);
     return false;
   });
   return {float(found), found < never ? amount : passed * scale};

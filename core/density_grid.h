@@ -66,18 +66,14 @@ class DensityGrid {
     std::array<double, 3> origin, direction;
     double at(std::size_t axis, double t) const { return origin[axis] + direction[axis] * t; }
   };
-  /// The eight numbers around a cell of the lattice.
-  using Corners = std::array<float, 8>;
+  /// A cell of the lattice that a line goes through: its density along that, in parts of the cell's edges.
+  class CellOnLine;
 
   Line line_of(const Ray& ray) const;
   std::size_t table_place(const Index& brick) const;
   /// A brick's numbers; null where all are 0.
   const float* brick_at(const Index& brick) const;
-  static Corners corners_of(const float* brick, const Index& cell);
-  static double between_corners(const Line& line, const Index& cell, const Corners& corners, double t);
-  /// The integral over t within a cell.
-  static double integral(const Line& line, const Index& cell, const Corners& corners, double from, double to);
-  /// Calls visit(cell, corners, from, to) for each cell of the lattice that the line goes through within the
+  /// Calls visit(CellOnLine, from, to) for each cell of the lattice that the line goes through within the
   /// box, in order and but for those of bricks that are 0, until it returns false.
   template <typename Visit>
   void walk(const Line& line, double from, double to, const Visit& visit) const;

@@ -2,7 +2,7 @@
 #include "integrators/medium_glow.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "core/blackbody.h"
 #include "core/elementary.h"
@@ -12,6 +12,9 @@
 
 namespace twinray {
 namespace {
+
+/// By so many points of a way its uneven light is estimated.
+constexpr int points_seen = 8;
 
 /// Below it, what an exponential function loses to rounding is more than what its series leaves out.
 constexpr float thin = 0.1f;
@@ -53,12 +56,24 @@ Rgb medium_glow(const Scene& scene, const Interior& medium, const Ray& ray, floa
   const float sum = sum_of(even);
   if (!medium.glow.is_uneven() || !(sum > 0)) return even;
 
-  const auto [channel, rest] = choose_channel(even / sum, u);
-  const float at = amount_at(channel_of(extinction, channel), amount, rest);
-  const Rgb there = emission * transmittance(extinction, at);
-  if (!(sum_of(there) > 0)) return {};
-  const float t_there = std::min(ray.t_min + column.reach(at).distance / length(ray.direction), t);
-  return there * (sum / sum_of(there)) * glow_at(scene, medium.glow, ray.origin + ray.direction * t_there);
+  float amounts[points_seen];
+  for (int i = 0; i < points_seen; ++i) {
+    const auto [channel, rest] = choose_channel(even / sum, (float(i) + u) / points_seen);
+    amounts[i] = amount_at(channel_of(extinction, channel), amount, rest);
+  }
+  std::sort(std::begin(amounts), std::end(amounts));
+  Rgb glow;
+  Ray on = ray;  // From the last point.
+  float before = 0;
+  for (const float at : amounts) {
+    const Rgb there = emission * transmittance(extinction, at);
+    if (!(sum_of(there) > 0)) break;  // Nor is anything seen of what lies behind.
+    const float distance = MediumColumn(scene, medium, on, t).reach(at - before).distance;
+    on.t_min = std::min(on.t_min + distance / length(ray.direction), t);
+    before = at;
+    glow += there * (sum / sum_of(there)) * glow_at(scene, medium.glow, on.origin + on.direction * on.t_min);
+  }
+  return glow / points_seen;
 }
 
 }  // namespace twinray
