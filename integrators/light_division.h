@@ -6,6 +6,7 @@
 #include "core/record.h"
 #include "integrators/light_groups.h"
 #include "integrators/light_paths.h"
+#include "integrators/path_observer.h"
 
 namespace twinray {
 
@@ -16,6 +17,8 @@ struct LightTerm {
   float factor = 1;  ///< What clamping leaves of it.
 
   Rgb radiance() const { return throughput * light * factor; }
+  /// As the path's observer is told.
+  PathTerm seen() const { return {throughput * light, radiance()}; }
 };
 
 /// Keeps what the record is asked for.

@@ -42,6 +42,7 @@ PathEnd PathLog::end() const {
 Rgb PathLog::sum() const {
   Rgb sum;
   for (const PathVertex& vertex : vertices_) {
+    if (vertex.glow) sum += vertex.glow->term;
     if (vertex.emission) sum += vertex.emission->term;
     if (vertex.direct_light) sum += vertex.direct_light->term;
   }

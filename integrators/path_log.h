@@ -25,6 +25,7 @@ struct LoggedLightSample {
 /// What happened between a ray of the path and the next one. What did not happen is not set.
 struct PathVertex {
   PathArrival arrival;
+  std::optional<PathTerm> glow;  ///< What media on the way have emitted.
   std::vector<FoundLight> found;
   std::optional<PathTerm> emission;  ///< The term of what was found.
   std::optional<Interaction> surface;
@@ -51,6 +52,7 @@ class PathLog final : public PathObserver {
  public:
   void arrived(const PathArrival& arrival) override { vertices_.push_back({.arrival = arrival}); }
   void stands_at(const Interaction& at, Materials materials) override;
+  void passed_glow(const PathTerm& term) override { last().glow = term; }
   /// Light that is black is no light.
   void found_light(const FoundLight& found) override;
   void sampled_light(const LightTransport& transport, const Interaction& at,

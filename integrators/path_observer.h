@@ -24,7 +24,6 @@ struct PathArrival {
   Rgb throughput;  ///< Of the path, along the ray.
   /// What media on the way have left of the light; the throughput is after it.
   Rgb transmittance{1, 1, 1};
-  Rgb glow;  ///< What media on the way emit, as it comes to where the ray begins.
   /// Media scatter on the way: the above is over the probability that the path has come so far or, where it
   /// was scattered, what is scattered over the density of that (integrators/flight.h).
   bool is_flight = false;
@@ -78,6 +77,8 @@ class PathObserver {
   virtual ~PathObserver() = default;
   virtual void arrived(const PathArrival&) {}
   virtual void stands_at(const Interaction&, Materials) {}
+  /// What media on the way to the last arrival have emitted.
+  virtual void passed_glow(const PathTerm&) {}
   virtual void found_light(const FoundLight&) {}
   virtual void sampled_light(const LightTransport&, const Interaction&, const TakenLightSample&) {}
   virtual void looked_around(const TakenDirection&) {}

@@ -44,17 +44,19 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     record[Layer::alpha][0] = alpha_record(end.is_beyond_scene(), has_environment_);
   for (int depth = 0;; ++depth) {  // Scattering events before the current ray.
     tracer.arrive();
-    if (options_.counts(depth) && has_glow_) {
-      const LightTerm found = term({1, 1, 1}, end.glow, depth, observer);
-      radiance += found.radiance();
-      division.add_found(false, path.first, found, depth);
+    if (options_.counts(depth) && !is_black(end.glow)) {
+      const LightTerm glow = term({1, 1, 1}, end.glow, depth);
+      observer.passed_glow(glow.seen());
+      radiance += glow.radiance();
+      division.add_found(false, path.first, glow, depth);
     }
     if (options_.counts(depth) && !end.in_medium) {
       const Arrival arrival{hit, normalize(path.ray.direction)};
       const Rgb light = depth == 0
                             ? seen_light(transport, arrival, observer, division.groups())
                             : found_light(transport, path.departure, arrival, observer, division.groups());
-      const LightTerm found = term(path.throughput, light, depth, observer);
+      const LightTerm found = term(path.throughput, light, depth);
+      observer.added(found.seen());
       radiance += found.radiance();
       division.add_found(hit.is_miss(), path.first, found, depth);
     }
@@ -69,7 +71,8 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     const auto leave = [&](const Interaction& from, const VertexSampler& draws) {
       if (options_.counts(depth + 1)) {
         const Rgb light = direct_light(transport, from, draws, tracer, division.shares(from, depth));
-        const LightTerm direct = term(path.throughput, light, depth + 1, observer);
+        const LightTerm direct = term(path.throughput, light, depth + 1);
+        observer.added(direct.seen());
         radiance += direct.radiance();
         division.add_direct(from, path.first, direct, depth);
       }
@@ -113,8 +116,7 @@ PathReference::End PathReference::fly(Tracer& tracer, const VertexSampler& sampl
     end.in_medium = way.scattered_at();
     path.cone = path.cone.at(way.t_scattered() * length(way.ray.direction));
   }
-  tracer.observer().arrived(
-      {way.ray, end.hit, path.throughput, left, way.glow, way.flight && way.flight->has_begun()});
+  tracer.observer().arrived({way.ray, end.hit, path.throughput, left, way.flight && way.flight->has_begun()});
   return end;
 }
 
@@ -141,11 +143,8 @@ Rgb PathReference::seen_light(const LightTransport& transport, const Arrival& ar
   return radiance;
 }
 
-LightTerm PathReference::term(const Rgb& throughput, const Rgb& light, int depth,
-                              PathObserver& observer) const {
-  const LightTerm term{throughput, light, options_.clamp_factor(throughput * light, depth)};
-  observer.added({throughput * light, term.radiance()});
-  return term;
+LightTerm PathReference::term(const Rgb& throughput, const Rgb& light, int depth) const {
+  return {throughput, light, options_.clamp_factor(throughput * light, depth)};
 }
 
 Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, State& path) const {

@@ -61,7 +61,7 @@ class PathReference final : public Integrator {
   Rgb seen_light(const LightTransport& transport, const Arrival& arrival, PathObserver& observer,
                  const LightGroups& groups) const;
   /// The term of the radiance that light is which was scattered `depth` times.
-  LightTerm term(const Rgb& throughput, const Rgb& light, int depth, PathObserver& observer) const;
+  LightTerm term(const Rgb& throughput, const Rgb& light, int depth) const;
   /// Where a ray of the path ends: at its hit, or at a point in a medium before that.
   struct End {
     Hit hit;

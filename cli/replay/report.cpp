@@ -136,6 +136,7 @@ FloatJson json_of(const Scene& scene, const PathVertex& vertex) {
                    {"is_flight", vertex.arrival.is_flight},
                    {"transmittance", json_of(vertex.arrival.transmittance)},
                    {"throughput", json_of(vertex.arrival.throughput)},
+                   {"glow", json_of(vertex.glow)},
                    {"found_lights", list_json(scene, vertex.found)},
                    {"emission", json_of(vertex.emission)}};
   if (vertex.arrival.events_below) result["events_below"] = *vertex.arrival.events_below;

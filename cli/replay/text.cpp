@@ -160,6 +160,7 @@ std::string vertex_text(const Scene& scene, const PathVertex& vertex, std::size_
   if (arrival.transmittance != Rgb{1, 1, 1})
     text += line(is_in_medium ? "scattered" : "let through",
                  text_of(arrival.transmittance) + passed_text(arrival, is_in_medium));
+  if (vertex.glow) text += line("media glow", "adds " + term_text(*vertex.glow));
   text += line("throughput", text_of(arrival.throughput));
   if (!is_in_medium && !arrival.events_below) text += emission_text(scene, vertex);
   if (!vertex.surface) return text;

@@ -236,6 +236,25 @@ TEST_CASE("an OBJ file is lit by default, unless something else lights it") {
   CHECK(!has_note(quoted(folder.file("a.obj")) + " --integrator=normals"));
 }
 
+TEST_CASE("a scene that media light has no default light") {
+  const TemporaryFolder folder;
+  const auto is_lit_by_default = [&](const std::string& light) {
+    const std::string scene = folder.file("a.pbrt");
+    write_text(scene,
+               "LookAt 0 0 9  0 0 0  0 1 0 Camera \"perspective\" WorldBegin MakeNamedMedium \"m\" \"string "
+               "type\" \"homogeneous\" " +
+                   light +
+                   " MediumInterface \"m\" \"\" Material \"interface\" "
+                   "Shape \"sphere\"");
+    const ProcessResult result = run_program(
+        quoted(scene) + " --default-light -r 24 18 -s 1 --progress=none -o " + quoted(folder.file("a.png")));
+    CHECK(result.exit_code == 0);
+    return result.out.find("a soft sky, and a light at the camera") != std::string::npos;
+  };
+  CHECK(is_lit_by_default(""));
+  CHECK_FALSE(is_lit_by_default("\"rgb Le\" [ 1 1 1 ]"));
+}
+
 TEST_CASE("option --clip=file cuts the view at the file's clip distances, also those of a camera file") {
   const TemporaryFolder folder;
   const std::string picture = folder.file("a.exr");

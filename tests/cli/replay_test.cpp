@@ -123,6 +123,25 @@ TEST_CASE("a replay says what bodies on the way let through, with a boundary tha
   check_left(inside[1]["transmittance"]);
 }
 
+TEST_CASE("a replay says what media on the way have emitted") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.file("a.pbrt"), replay = folder.file("a.json");
+  write_text(
+      scene,
+      "MakeNamedMedium \"ember\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [ 50 50 50 ] \"rgb "
+      "sigma_s\" "
+      "[ 0 0 0 ] \"rgb Le\" [ 1 2 4 ] LookAt 0 0 9  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 0.001 "
+      "Film \"rgb\" \"integer xresolution\" 8 \"integer yresolution\" 6 WorldBegin "
+      "MediumInterface \"ember\" \"\" Material \"interface\" Shape \"sphere\"");
+  const ProcessResult result =
+      run_program(quoted(scene) + " -s 1 --replay 2 2 0 --replay-json " + quoted(replay));
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "media glow       adds 1 2 4\n"));
+  const json path = json::parse(read_text(replay));
+  CHECK(path["vertices"][0]["glow"]["term"] == json({1, 2, 4}));
+  CHECK(path["sum"] == json({1, 2, 4}));
+}
+
 TEST_CASE("a replay says where a medium has scattered the path") {
   const TemporaryFolder folder;
   const std::string scene = folder.file("a.pbrt"), replay = folder.file("a.json");

@@ -148,6 +148,22 @@ TEST_CASE("a body as bright as the sky cannot be told from it, whatever it absor
   check_unseen(nested);
 }
 
+TEST_CASE("a replayed path has what media emit, and its terms add up to its radiance") {
+  Interior ember = smoke;
+  ember.glow.radiance = {1, 2, 3};
+  const Scene scene = under(ball_of(Dielectric{.ior = 1.4f}, ember), constant_sky({1, 1, 1}));
+  const PathIntegrator integrator(scene, {.max_depth = 3});
+  const auto engine = build_accelerator(default_backend(), scene.geometry);
+  int glows = 0;
+  for (std::uint32_t index = 0; index < 64; ++index) {
+    const Replay made =
+        replay({scene, *engine, integrator}, {.max_depth = 3}, small_picture(64), {1, 2, index});
+    CHECK(made.path.sum() == made.radiance);
+    for (const PathVertex& vertex : made.path.vertices()) glows += vertex.glow.has_value();
+  }
+  CHECK(glows > 64);
+}
+
 TEST_CASE("light of a medium lights what stands beside it") {
   // A thin glowing ball far above a floor is a point of light: radiance times absorption times volume.
   Scene scene = scene_of(floor_square(30, 0), {0.5f, 0.5f, 0.5f}, {0, 1, 0.01f}, {0, 0, 0});

@@ -184,6 +184,20 @@ TEST_CASE("haze.pbrt shows a cloud and jade, in a room of haze") {
   CHECK(scattering == 3);
 }
 
+TEST_CASE("glow.pbrt shows a flame and two tubes, whose media emit light") {
+  const LoadedScene loaded = load("glow.pbrt");
+  CHECK(loaded.warnings.empty());
+  std::set<float> colors;
+  int hot = 0;
+  for (const Material& material : loaded.scene.materials) {
+    if (!material.interior.emits()) continue;
+    colors.insert(material.interior.glow.radiance.b);
+    hot += material.interior.glow.temperature != no_density;
+  }
+  CHECK(colors.size() == 3);
+  CHECK(hot == 1);
+}
+
 TEST_CASE("hair.pbrt shows hair of three colours, in locks that are instances") {
   const LoadedScene loaded = load("hair.pbrt");
   CHECK(loaded.warnings.empty());

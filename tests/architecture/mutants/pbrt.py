@@ -40,7 +40,7 @@ MUTANTS = [
            "builder_.finish(float(camera_.shutter.length()) * film_.iso / 100)",
            "builder_.finish(float(camera_.shutter.length()))",
            "test_io", "the exposure of film and shutter multiplies all light"),
-    Mutant("black bodies shine by the fourth power of the wavelength", "io/pbrt/spectrum.cpp",
+    Mutant("black bodies shine by the fourth power of the wavelength", "core/blackbody.cpp",
            "return 1 / (x * x * x * x * x *", "return 1 / (x * x * x * x *",
            "test_io", "a black body's color lies where the CIE has it"),
     Mutant("an index of a PLY face may be one too large", "io/ply/reader.cpp",
