@@ -119,9 +119,10 @@ std::string line_of(const PictureInfo& picture) {
 std::string line_of(const MediaInfo& media) {
   std::string text;
   if (media.absorbing + media.scattering > 0)
-    text =
-        fmt::format("media: {} that absorb, {} that scatter light, {} of them not even{}\n", media.absorbing,
-                    media.scattering, media.uneven, media.has_atmosphere ? "; an atmosphere" : "");
+    text = fmt::format("media: {} that absorb, {} that scatter light, {} of them not even{}{}\n",
+                       media.absorbing, media.scattering, media.uneven,
+                       media.glowing > 0 ? fmt::format(", {} that emit light", media.glowing) : "",
+                       media.has_atmosphere ? "; an atmosphere" : "");
   if (media.subsurface > 0)
     text += fmt::format("light below the surface: of {}\n", counted(media.subsurface, "material"));
   return text;

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/error.h"
+#include "core/interiors.h"
 
 namespace twinray {
 namespace {
@@ -83,10 +84,14 @@ std::string list_lights(const Scene& scene) {
   return fmt::format("{}{}", fmt::join(quoted, ", "), scene.lights.size() > most ? ", ..." : "");
 }
 
+/// What all media that emit light count as.
+constexpr const char* media_light = "media";
+
 void check_rule(const LightGroupRule& rule, const Scene& scene) {
   for (const std::string& pattern : rule.lights)
     if (std::none_of(scene.lights.begin(), scene.lights.end(),
-                     [&](const Light& light) { return matches(pattern, light.name); }))
+                     [&](const Light& light) { return matches(pattern, light.name); }) &&
+        !(has_glow(scene.materials) && matches(pattern, media_light)))
       throw Error(fmt::format("--light-group: no light is called \"{}\"; the scene {}", pattern,
                               scene.lights.empty() ? "has none" : "has " + list_lights(scene)));
 }
@@ -131,17 +136,20 @@ void group_lights(Scene& scene, std::span<const LightGroupRule> rules) {
   std::vector<std::string>& groups = scene.light_groups;
   groups.clear();
   GroupNames group_names(rules);
-  for (Light& light : scene.lights) {
+  const auto group_of = [&](const Light& light) {
     const std::string& name = group_names.of(light);
     const auto known = std::find(groups.begin(), groups.end(), name);
-    light.group = std::uint32_t(known - groups.begin());
+    const auto group = std::uint32_t(known - groups.begin());
     if (known == groups.end()) groups.push_back(name);
     if (groups.size() > most_light_groups)
       throw Error(
           fmt::format("--layers=light-groups: the scene's {} lights are more than {} groups; "
                       "--light-group=NAME=LIGHT,... makes one of several, * stands for any text",
                       scene.lights.size(), most_light_groups));
-  }
+    return group;
+  };
+  for (Light& light : scene.lights) light.group = group_of(light);
+  scene.media_group = has_glow(scene.materials) ? group_of({media_light, AmbientLight{}}) : no_light;
   check_groups(groups, rules);
 }
 

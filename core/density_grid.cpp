@@ -118,7 +118,7 @@ DensityGrid::DensityGrid(const Size& size, const std::vector<float>& values, con
 
 void DensityGrid::set(int x, int y, int z, float value) {
   if (!std::isfinite(value) || value < 0)
-    throw Error(fmt::format("a density is {:g}; it must be finite and >= 0", value));
+    throw Error(fmt::format("a number of the grid is {:g}; it must be finite and >= 0", value));
   const Index point{x + 1, y + 1, z + 1};
   if (value == 0 && this->value(x, y, z) == 0) return;
   Index first, last;  // The bricks that have the point.

@@ -53,7 +53,7 @@ class DensityGrid {
     float t;        ///< The ray's parameter there; infinite where there is less before `to`,
     double amount;  ///< which is this.
   };
-  /// How far so much lies along the ray from `from` on; amount > 0.
+  /// How far so much lies along the ray from `from` on; amount >= 0.
   Reach reach(const Ray& ray, float from, float to, double amount) const;
 
  private:

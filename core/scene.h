@@ -31,7 +31,8 @@ struct Scene {
   std::vector<ShapeBinding> bindings;  ///< One for each of the geometry's shapes.
   std::vector<Material> materials;
   std::vector<Light> lights;
-  std::vector<std::string> light_groups;  ///< Names; each light is of one of them, if there are any.
+  std::vector<std::string> light_groups;  ///< Names; each light is of one of them, if there are any,
+  std::uint32_t media_group = no_light;   ///< and so is what media emit, if they do.
   std::vector<std::string> assets;        ///< Names of what several shapes may belong to.
   std::vector<Texture> textures;
   std::vector<std::shared_ptr<const DensityGrid>> densities;  ///< Of media that are not even.

@@ -15,12 +15,17 @@ class LightGroups {
  public:
   LightGroups() = default;
   /// One sum for each of the scene's groups, all black; or none.
-  LightGroups(const Scene& scene, std::span<Rgb> sums) : lights_(scene.lights), sums_(sums) {}
+  LightGroups(const Scene& scene, std::span<Rgb> sums)
+      : lights_(scene.lights), media_group_(scene.media_group), sums_(sums) {}
 
   bool are_kept() const { return !sums_.empty(); }
   /// Adds what a light brings.
   void add(std::uint32_t light, const Rgb& radiance) const {
     if (are_kept()) sums_[lights_[light].group] += radiance;
+  }
+  /// Adds what media emit.
+  void add_glow(const Rgb& radiance) const {
+    if (are_kept()) sums_[media_group_] += radiance;
   }
   /// Adds the sums, times `throughput` and `factor`, to the parts of a sample's radiance; they are black
   /// then.
@@ -32,6 +37,7 @@ class LightGroups {
 
  private:
   std::span<const Light> lights_;
+  std::uint32_t media_group_ = no_light;
   std::span<Rgb> sums_;
 };
 

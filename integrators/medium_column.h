@@ -35,7 +35,7 @@ class MediumColumn {
     float distance;  ///< Behind the beginning, >= 0; infinite where there is less,
     float amount;    ///< which is this.
   };
-  /// How far so much gets; amount > 0, and may be infinite.
+  /// How far so much gets; amount >= 0, and may be infinite.
   Reach reach(float amount) const {
     if (!grid_) return amount < length_ ? Reach{amount, amount} : Reach{infinite_, length_};
     const DensityGrid::Reach end = grid_->reach(ray_, ray_.t_min, t_, double(amount));

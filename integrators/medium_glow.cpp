@@ -2,6 +2,7 @@
 #include "integrators/medium_glow.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "core/blackbody.h"
@@ -69,7 +70,8 @@ Rgb medium_glow(const Scene& scene, const Interior& medium, const Ray& ray, floa
     const Rgb there = emission * transmittance(extinction, at);
     if (!(sum_of(there) > 0)) break;  // Nor is anything seen of what lies behind.
     const float distance = MediumColumn(scene, medium, on, t).reach(at - before).distance;
-    on.t_min = std::min(on.t_min + distance / length(ray.direction), t);
+    // Where rounding has it beyond the end, the last point stands for this one.
+    if (std::isfinite(distance)) on.t_min = std::min(on.t_min + distance / length(ray.direction), t);
     before = at;
     glow += there * (sum / sum_of(there)) * glow_at(scene, medium.glow, on.origin + on.direction * on.t_min);
   }

@@ -47,6 +47,7 @@ Rgb PathReference::radiance_of(const CameraSample& sample, SamplerKind kind, Tra
     if (options_.counts(depth) && !is_black(end.glow)) {
       const LightTerm glow = term({1, 1, 1}, end.glow, depth);
       observer.passed_glow(glow.seen());
+      division.groups().add_glow(end.glow);
       radiance += glow.radiance();
       division.add_found(false, path.first, glow, depth);
     }

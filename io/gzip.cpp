@@ -21,16 +21,16 @@ struct EndInflate {
 /// Takes a gzip header and its checksum; a bit in zlib's number of window bits.
 constexpr int gzip_window_bits = 15 + 16;
 
-}  // namespace
-
 void check_growth(const std::string& name, std::uint64_t unpacked, std::uint64_t packed) {
   if (unpacked > max_input_bytes)
     throw Error(fmt::format("{}: unpacked, the file has more than {} bytes, the most that are read", name,
                             max_input_bytes));
   if (unpacked > gzip_small_bytes && unpacked / gzip_most_growth > packed)
-    throw Error(fmt::format("{}: {} packed bytes grow beyond {} bytes, more than a hundredfold", name, packed,
-                            gzip_small_bytes));
+    throw Error(fmt::format("{}: {} bytes of gzip grow beyond {} bytes, more than a hundredfold", name,
+                            packed, gzip_small_bytes));
 }
+
+}  // namespace
 
 bool is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
 

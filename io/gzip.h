@@ -16,10 +16,6 @@ bool is_gzip(std::string_view bytes);
 /// gzip_most_growth times.
 std::string unpack_gzip(std::string_view bytes, const std::string& name);
 
-/// Throws Error where so many bytes would grow beyond max_input_bytes, or beyond gzip_small_bytes and more
-/// than gzip_most_growth times. `name` stands for the file in messages.
-void check_growth(const std::string& name, std::uint64_t unpacked, std::uint64_t packed);
-
 /// Unpacks bytes in zlib's form (RFC 1950) that fill `room`. Throws Error where they do not, or are damaged.
 void unpack_zlib(std::string_view packed, std::span<char> room, const std::string& name);
 

@@ -69,9 +69,14 @@ void PathWave::add_seen(std::size_t i, const Vec3& direction, const Rgb& radianc
 
 void PathWave::add_glow(std::size_t i, const Rgb& radiance, int depth) {
   if (!context_.options.counts(depth)) return;
-  const Rgb light = context_.options.clamped(radiance, depth);
+  const float factor = context_.options.clamp_factor(radiance, depth);
+  const Rgb light = radiance * factor;
   const std::uint32_t sample = paths_.sample[i];
   radiance_[sample] += light;
+  if (has_light_groups_) {
+    groups_of(i).add_glow(radiance);
+    groups_of(i).move_to(records_[Division::groups][sample], {1, 1, 1}, factor);
+  }
   if (!has_light_paths_) return;
   if (depth == 0)
     add_seen_light(false, light, paths_of(sample));

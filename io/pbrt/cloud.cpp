@@ -27,6 +27,8 @@ constexpr float finer = 1.99f;
 }  // namespace
 
 float PbrtCloud::at(const Vec3& p) const {
+  if (p.y <= 0) return 1;
+  if (p.y >= 1) return 0;
   Vec3 place = p * frequency;
   if (wispiness > 0) {
     float strength = 0.05f * wispiness, fineness = 10;
@@ -47,7 +49,7 @@ float PbrtCloud::at(const Vec3& p) const {
 }
 
 DensityGrid cloud_grid(const PbrtCloud& cloud, const Aabb& box, const Transform& to_unit) {
-  constexpr float most = 256, cells_a_wave = 3, finest = 15.7f;  // As the last octave is.
+  constexpr float most = 192, cells_a_wave = 2.5f, finest = 15.7f;  // As the last octave is.
   const Vec3 extent = box.extent();
   const auto cells = [&](float edge) {
     return int(std::clamp(edge * std::fabs(cloud.frequency) * finest * cells_a_wave, 8.0f, most));

@@ -15,7 +15,7 @@ struct PbrtCloud {
   float at(const Vec3& p) const;
 };
 
-/// The cloud within a box, by a grid of up to 256 cells along an edge; finer waves are smoothed out.
+/// The cloud within a box, by a grid of up to 192 cells along an edge; finer waves are smoothed out.
 /// `to_unit` is that of DensityGrid. Throws Error.
 DensityGrid cloud_grid(const PbrtCloud& cloud, const Aabb& box, const Transform& to_unit);
 

@@ -49,8 +49,11 @@ Interior read_coefficients(const PbrtParameters& parameters, const MeasuredMediu
   // pbrt takes what is beyond as the nearest one, too.
   constexpr float most = PhaseFunction::most_anisotropy;
   interior.anisotropy = std::clamp(parameters.real("g", 0, {-1, 1}), -most, most);
-  interior.glow.radiance = color_of(parameters, "Le", {}, ColorRole::light, context.files);
   return interior;
+}
+
+Rgb read_radiance(const PbrtParameters& parameters, const PbrtContext& context) {
+  return color_of(parameters, "Le", {}, ColorRole::light, context.files);
 }
 
 /// The box of a medium that ends by itself: corners of any order.
@@ -118,6 +121,7 @@ Interior PbrtMedia::read_uniform_grid(const PbrtParameters& parameters, const Tr
   if (filling.density == no_density)
     parameters.place().fail("a uniformgrid needs its numbers, \"float density\"");
   Glow& glow = filling.glow;
+  glow.radiance = read_radiance(parameters, context_);
   glow.factor = add(read_grid(parameters, "Lescale", to_unit));
   glow.temperature = add(read_grid(parameters, "temperature", to_unit));
   read_temperature_range(parameters, glow);
@@ -135,7 +139,6 @@ Interior PbrtMedia::read_uniform_grid(const PbrtParameters& parameters, const Tr
 
 Interior PbrtMedia::read_cloud(const PbrtParameters& parameters, const Transform& to_world) {
   Interior filling = read_coefficients(parameters, nullptr, context_);
-  filling.glow = {};
   constexpr NumberRange any_strength{0, 1e6};
   const PbrtCloud cloud{parameters.real("density", 1, any_strength),
                         parameters.real("wispiness", 1, any_strength),
@@ -169,10 +172,15 @@ Interior PbrtMedia::read_nanovdb(const PbrtParameters& parameters, const Transfo
   const std::string density = parameters.text("gridname", "density"),
                     temperature = parameters.text("temperaturename", "temperature");
   filling.density = add(read_nvdb(parameters, file, density, to_world));
-  filling.glow = {};
   read_temperature_range(parameters, filling.glow);
   const float strength = parameters.real("Lescale", 1, {0, 1e30});
-  if (!file.has(temperature)) return filling;
+  if (!file.has(temperature)) {
+    if (parameters.find("temperaturename"))
+      parameters.place().warn(
+          context_.warnings,
+          fmt::format("{} has no grid \"{}\": this medium emits no light", path, temperature));
+    return filling;
+  }
   filling.glow.radiance = {strength, strength, strength};
   filling.glow.temperature = add(read_nvdb(parameters, file, temperature, to_world));
   return filling;
@@ -186,8 +194,8 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
   if (medium->filling) parameters.place().fail(fmt::format("the medium \"{}\" is made a second time", name));
   if (type == "homogeneous") {
     medium->filling = read_coefficients(parameters, preset_of(parameters, context_), context_);
-    Rgb& radiance = medium->filling->glow.radiance;
-    radiance = radiance * parameters.real("Lescale", 1, {0, 1e30});
+    medium->filling->glow.radiance =
+        parameters.real("Lescale", 1, {0, 1e30}) * read_radiance(parameters, context_);
   } else if (type == "uniformgrid") {
     medium->filling = read_uniform_grid(parameters, to_world);
   } else if (type == "cloud") {
@@ -203,6 +211,8 @@ void PbrtMedia::define(const std::string& name, const PbrtParameters& parameters
     parameters.place().fail(fmt::format(
         "there is no medium \"{}\"; valid are homogeneous, uniformgrid, rgbgrid, cloud and nanovdb", type));
   }
+  if (!is_finite(medium->filling->emission()))
+    parameters.place().fail("this medium emits more light than a number can say");
   parameters.warn_of_unused(context_.warnings);
 }
 

@@ -76,6 +76,27 @@ TEST_CASE("lights whose names differ in other signs alone are groups of their ow
         std::vector<std::string>{"lamp_1", "lamp_1_2", "lamp_1_3", "lamp_1_2", "lamp_1_2_2"});
 }
 
+TEST_CASE("what media emit is a light of its own, called media") {
+  const auto grouped = [](const std::vector<std::string>& names, const std::vector<LightGroupRule>& rules) {
+    Scene scene = lights(names);
+    scene.materials.push_back({"ember", Interface{}, {}, {.absorption = {1, 1, 1}, .glow = {{1, 1, 1}}}});
+    group_lights(scene, rules);
+    return scene;
+  };
+  const Scene own = grouped({"key"}, {});
+  CHECK(own.light_groups == std::vector<std::string>{"key", "media"});
+  CHECK(own.media_group == 1);
+  CHECK(grouped({}, {}).light_groups == std::vector<std::string>{"media"});
+  const Scene all = grouped({"key"}, {parse_light_group("all=*")});
+  CHECK(all.light_groups == std::vector<std::string>{"all"});
+  CHECK(all.media_group == 0);
+  CHECK(grouped({"key"}, {parse_light_group("fire=media")}).light_groups ==
+        std::vector<std::string>{"key", "fire"});
+  Scene dark = lights({"key"});
+  group_lights(dark, {});
+  CHECK(dark.media_group == no_light);
+}
+
 TEST_CASE("a group that has the name of a light beside it is refused") {
   CHECK(groups_of({"sun", "spot"}, {"sun=sun,spot"}) == std::vector<std::string>{"sun", "sun"});
   CHECK_THROWS_WITH(

@@ -140,7 +140,7 @@ TEST_CASE("a grid of densities that cannot be is refused") {
   CHECK(error_of({0, 1, 1}, {}) == "a grid of 0 x 1 x 1 densities; each must be from 1 to 16384");
   CHECK(error_of({20000, 1, 1}, {1}).find("each must be from 1 to 16384") != std::string::npos);
   CHECK(error_of({2, 1, 1}, {1}) == "a grid of 2 x 1 x 1 densities has 1 numbers; it must have 2");
-  CHECK(error_of({1, 1, 1}, {-1}) == "a density is -1; it must be finite and >= 0");
+  CHECK(error_of({1, 1, 1}, {-1}) == "a number of the grid is -1; it must be finite and >= 0");
   CHECK(error_of({1, 1, 1}, {infinity}).find("finite") != std::string::npos);
   CHECK(error_of({1, 1, 1}, {1}, Transform::scaling(1, 0, 1)) ==
         "a grid of densities lies in a box that is flat or too large");
@@ -188,7 +188,8 @@ TEST_CASE("a grid keeps memory for what is not 0, and crosses the rest") {
   const Ray ray{.origin = {middle(500), middle(501), -1}, .direction = {0, 0, 1}};
   CHECK(grid.amount(ray, 0, infinity) == Approx(5.0 / 1000).epsilon(0.01));
   CHECK(grid.at({middle(500), middle(501), middle(502)}) == Approx(5).epsilon(0.01));
-  CHECK(error_text([&] { grid.set(0, 0, 0, -2); }) == "a density is -2; it must be finite and >= 0");
+  CHECK(error_text([&] { grid.set(0, 0, 0, -2); }) ==
+        "a number of the grid is -2; it must be finite and >= 0");
 }
 
 TEST_CASE("what lies along a ray is asked for up to where it is enough") {

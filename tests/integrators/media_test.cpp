@@ -178,14 +178,32 @@ TEST_CASE("light of a medium lights what stands beside it") {
   const double intensity = 1 * 4.0 / 3 * double(pi), expected = 0.5 / double(pi) * intensity / (9 * 9);
   const Estimate once = estimate(scene, {.max_depth = 1}, small_picture(65536));
   check_mean(once, expected, 0.1);
-  // As a part of the picture it is indirect light neither of surfaces nor of the sky.
+  // Of the parts of the picture it is direct light of a matte surface, and of a group of its own.
   RenderOptions options = small_picture(64);
-  options.light_paths = true;
-  const Film film = render_with(scene, PathIntegrator(scene, {.max_depth = 1}), options).film;
-  for (int y = 0; y < 4; ++y)
-    for (int x = 0; x < 4; ++x)
-      CHECK(parts_at(film, Division::paths, x, y)[std::size_t(LightPath::diffuse_direct)] ==
-            film.pixel(x, y).mean());
+  options.light_paths = options.light_groups = true;
+  add_light(scene, PointLight{{0, 3, 1}, {1, 1, 1}, {}});
+  scene.lights.back().group = 0;
+  scene.light_groups = {"lamp", "media"};
+  scene.media_group = 1;
+  const auto group_at = [&](const Integrator& integrator, const Scene& of, int group) {
+    const Film film = render_with(of, integrator, options).film;
+    Rgb sum;
+    for (int y = 0; y < 4; ++y)
+      for (int x = 0; x < 4; ++x) {
+        sum += parts_at(film, Division::groups, x, y)[std::size_t(group)];
+        CHECK(parts_at(film, Division::paths, x, y)[std::size_t(LightPath::diffuse_direct)] ==
+              film.pixel(x, y).mean());
+      }
+    return sum;
+  };
+  Scene dark = scene;
+  dark.lights.clear();
+  const PathOptions path{.max_depth = 1};
+  const Rgb media = group_at(PathIntegrator(scene, path), scene, 1);
+  CHECK(media.r == Approx(group_at(PathIntegrator(dark, path), dark, 1).r).epsilon(1e-4));
+  CHECK(media.r > 0);
+  CHECK(media == group_at(PathReference(scene, path), scene, 1));
+  CHECK(group_at(PathIntegrator(scene, path), scene, 0).r > media.r);
 }
 
 TEST_CASE("in a furnace a body that scatters all light is white") {

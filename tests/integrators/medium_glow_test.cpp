@@ -79,6 +79,21 @@ TEST_CASE("an even medium glows by what a ray absorbs of it, however thin or lon
   CHECK(medium_glow(scene, medium, along_z, endless, 0.5f) == Rgb{});
 }
 
+TEST_CASE("light of media in grids far from where a ray begins is finite, though rounding is large there") {
+  Scene scene;
+  scene.densities = {grid_of({1, 4, 0, 2}), grid_of({0, 5, 1})};
+  Interior medium{.absorption = {0.5f, 2, 0.1f}, .density = 0};
+  medium.glow = {.radiance = {3, 2, 1}, .factor = 1};
+  constexpr float endless = std::numeric_limits<float>::infinity();
+  Random random(6);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 origin{random.unit(), random.unit(), -1e5f * random.unit()};
+    const Ray ray{.origin = origin, .direction = normalize(Vec3{0.5f, 0.5f, 0.5f} - origin)};
+    const Rgb glow = medium_glow(scene, medium, ray, endless, i % 2 == 0 ? random.unit() : 0x1.fffffep-1f);
+    CHECK(is_finite(glow));
+  }
+}
+
 TEST_CASE("light of media in grids is the integral along the ray") {
   Scene scene;
   scene.densities = {grid_of({1, 4, 0, 2}), grid_of({0, 5, 1}), grid_of({900, 2000, 4000, 3000})};

@@ -25,9 +25,11 @@ NODES = "values that are the same in a whole node are the grid's"
 BELOW = "a NanoVDB grid without anything is empty, and negative numbers are counted"
 NONE = "NanoVDB grids that are no densities are refused with what they are"
 CLOUD = "a cloud is full at its bottom and nothing at its top, and noise in between"
-CELLS = "a cloud's grid has as many cells as its waves need, up to 256, and its values in their middles"
+CELLS = "a cloud's grid has as many cells as its waves need, up to 192, and its values in their middles"
 SUMS = "a replayed path has what media emit, and its terms add up to its radiance"
 REPLAYED = "a replay says what media on the way have emitted"
+GROUPED = "what media emit is a light of its own, called media"
+FAR = "light of media in grids far from where a ray begins is finite, though rounding is large there"
 LIT = "a scene that media light has no default light"
 
 MUTANTS = [
@@ -69,6 +71,15 @@ MUTANTS = [
            "    if (vertex.glow) sum += vertex.glow->term;\n", "", "test_integrators", SUMS),
     Mutant("a replay does not tell what media emit", "cli/replay/text.cpp",
            "if (vertex.glow) text +=", "if (false) text +=", "test_cli", REPLAYED),
+    Mutant("media are in no group of lights", "cli/light_groups.cpp",
+           "has_glow(scene.materials) ? group_of({media_light, AmbientLight{}}) : no_light", "no_light",
+           "test_cli", GROUPED),
+    Mutant("no rule of light groups names media", "cli/light_groups.cpp",
+           "matches(pattern, media_light)))", "matches(pattern, \"-\")))", "test_cli", GROUPED),
+    Mutant("a wave's media are in no group", "integrators/wave/found_light.cpp",
+           "    groups_of(i).add_glow(radiance);\n", "", "test_integrators", BESIDE),
+    Mutant("what is reached nowhere is at the end of the ray", "integrators/medium_glow.cpp",
+           "if (std::isfinite(distance)) on", "on", "test_integrators", FAR),
     Mutant("a scene that media light is dark", "cli/default_light.cpp",
            "return has_glow(scene.materials) ||\n         std", "return std", "test_cli", LIT),
     Mutant("what black bodies emit is relative to something else", "core/blackbody.cpp",
@@ -94,8 +105,8 @@ MUTANTS = [
     Mutant("a uniformgrid's light has no factor of its own", "io/pbrt/medium.cpp",
            "if (filling.emits() && glow.factor == no_density)", "if (false)", "test_io_nanovdb", PBRT),
     Mutant("the strength of an even medium's light is left out", "io/pbrt/medium.cpp",
-           "radiance = radiance * parameters.real(\"Lescale\", 1, {0, 1e30});",
-           "parameters.real(\"Lescale\", 1, {0, 1e30});", "test_io_nanovdb", PBRT),
+           "parameters.real(\"Lescale\", 1, {0, 1e30}) * read_radiance(parameters, context_)",
+           "read_radiance(parameters, context_)", "test_io_nanovdb", PBRT),
     Mutant("written pbrt: grids of another place are those of the density", "io/pbrt/writer_media.cpp",
            "grid.size() == density.size() && grid.to_unit() == density.to_unit()",
            "grid.size() == density.size()", "test_io_nanovdb", WRITTEN),

@@ -111,7 +111,7 @@ TEST_CASE("NanoVDB grids that are no densities are refused with what they are") 
   CHECK(error_of({.voxels = {{{0, 0, 0}, 1}}, .is_level_set = true}) ==
         place + "it is a level set, or of another class than a fog volume");
   CHECK(error_of({.voxels = {{{0, 0, 0}, std::numeric_limits<float>::infinity()}}}) ==
-        place + "a density is inf; it must be finite and >= 0");
+        place + "a number of the grid is inf; it must be finite and >= 0");
   CHECK(contains(error_of({.voxels = {{{0, 0, 0}, 1}, {{40000, 0, 0}, 1}}}), "each must be from 1 to 16384"));
   CHECK(error_of({.voxels = {{{0, 0, 0}, 1}}, .voxel_size = 1e-200}) ==
         place + "it lies in a box that is flat or too large");

@@ -66,8 +66,10 @@ TEST_CASE("light of media: pbrt's color, factors from point to point, and temper
   };
   CHECK(test::contains(error("\"float temperature\" [ 7 8 ] \"rgb Le\" [ 1 1 1 ]"),
                        "either \"Le\" or \"temperature\", not both"));
+  CHECK(test::contains(pbrt_error(ball_of("homogeneous", "\"rgb Le\" [ 1e20 0 0 ] \"float Lescale\" 1e30")),
+                       "this medium emits more light than a number can say"));
   CHECK(test::contains(error("\"float temperature\" [ 7 ]"), "\"temperature\": a grid of 2 x 1 x 1"));
-  CHECK(test::contains(error("\"float Lescale\" [ 7 -8 ]"), "\"Lescale\": a density is -8"));
+  CHECK(test::contains(error("\"float Lescale\" [ 7 -8 ]"), "\"Lescale\": a number of the grid is -8"));
 }
 
 TEST_CASE("written pbrt and exchange: light of media comes back as it was, or what is lost is named") {
@@ -142,11 +144,16 @@ TEST_CASE("a nanovdb medium has the grids of its file, in the space of its state
                              .glow = {{3, 3, 3}, no_density, 1, 5, 2}});
   CHECK(loaded.scene.densities[0]->at({11, 2, 3}) == Approx(4));
   CHECK(loaded.scene.densities[1]->at({11, 2, 3}) == Approx(900));
+  // pbrt's has no light of another color, and a wrong name is no darkness.
+  const LoadedScene unused = load("\"string filename\" \"smoke.nvdb\" \"rgb Le\" [ 1 1 1 ]");
+  REQUIRE(unused.warnings.size() == 1);
+  CHECK(test::contains(unused.warnings[0].message, "Le"));
   // By names; without a grid of temperatures it is dark.
   const LoadedScene dark = load(
       "\"string filename\" \"smoke.nvdb\" \"string gridname\" \"other\" "
       "\"string temperaturename\" \"heat\"");
-  REQUIRE(dark.warnings.size() == 1);
+  REQUIRE(dark.warnings.size() == 2);
+  CHECK(test::contains(dark.warnings[1].message, "has no grid \"heat\": this medium emits no light"));
   CHECK(test::contains(dark.warnings[0].message, "1 of the numbers of \"other\" in "));
   CHECK(test::contains(dark.warnings[0].message, "are below 0: 0 stands for them"));
   CHECK(dark.scene.densities.size() == 1);
@@ -172,9 +179,9 @@ TEST_CASE("a cloud is a grid of its noise, within its box") {
   CHECK(material_of(loaded, 0).interior ==
         Interior{.scattering = {5, 5, 5}, .anisotropy = 0.25f, .density = 0});
   const DensityGrid& grid = *loaded.scene.densities[0];
-  CHECK(grid.size() == DensityGrid::Size{47, 47, 94});
+  CHECK(grid.size() == DensityGrid::Size{39, 39, 78});
   const PbrtCloud cloud{.density = 2, .wispiness = 0.5f, .frequency = 1};
-  const Vec3 middle{10.5f / 47, 30.5f / 47, -1 + 2 * 70.5f / 94};
+  const Vec3 middle{10.5f / 39, 28.5f / 39, -1 + 2 * 60.5f / 78};
   CHECK(grid.at(middle * 2) == Approx(cloud.at(middle)).margin(1e-3));
   CHECK(test::contains(pbrt_error(ball_of("cloud", "\"point3 p1\" [ 1 0 1 ]")), "flat"));
 }
