@@ -203,6 +203,9 @@ void check_scene(const Scene& scene) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene, i);
   check_mixes(scene.materials);
   check_atmosphere(scene);
+  if (!scene.light_groups.empty() && has_glow(scene.materials) &&
+      scene.media_group >= scene.light_groups.size())
+    throw Error(fmt::format("light of media is of no group; there are {}", scene.light_groups.size()));
 }
 
 }  // namespace twinray

@@ -48,8 +48,8 @@ inline std::uint32_t asset_of(const Scene& scene, std::uint32_t shape) {
 }
 
 /// Throws Error where an index points nowhere, a light's shape is not of the light's kind, a mixture is one
-/// of materials behind it, the atmosphere is that of no interface, or a shape is opaque that has an alpha, or
-/// the other way round.
+/// of materials behind it, the atmosphere is that of no interface, light is of no group where there are any,
+/// or a shape is opaque that has an alpha, or the other way round.
 void check_scene(const Scene& scene);
 
 }  // namespace twinray

@@ -184,6 +184,17 @@ TEST_CASE("a medium emits what it absorbs, and no more") {
   CHECK(has_uneven_glow(materials));
 }
 
+TEST_CASE("light of media is refused that is of no group, where there are groups") {
+  Scene scene;
+  scene.materials.push_back(glass(1.5f, 0, {1, 1, 1}));
+  scene.materials[0].interior.glow.radiance = {1, 1, 1};
+  CHECK_NOTHROW(check_scene(scene));
+  scene.light_groups = {"media"};
+  CHECK_THROWS_AS(check_scene(scene), Error);
+  scene.media_group = 0;
+  CHECK_NOTHROW(check_scene(scene));
+}
+
 TEST_CASE("interiors that cannot be are refused") {
   const auto error_of = [](const Material& material) {
     Scene scene;

@@ -61,6 +61,7 @@ FilmContents everything(const Scene& scene) {
 /// The scene with its lights in two groups.
 Scene grouped(Scene scene) {
   scene.light_groups = {"even", "odd"};
+  scene.media_group = 1;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) scene.lights[i].group = i % 2;
   return scene;
 }
