@@ -2,12 +2,10 @@
 #include "io/pbrt/cloud.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "core/noise.h"
 #include "core/parallel.h"
-#include "core/threads.h"
 
 namespace twinray {
 namespace {
@@ -52,7 +50,7 @@ DensityGrid cloud_grid(const PbrtCloud& cloud, const Aabb& box, const Transform&
   constexpr float most = 192, cells_a_wave = 2.5f, finest = 15.7f;  // As the last octave is.
   const Vec3 extent = box.extent();
   const auto cells = [&](float edge) {
-    return int(std::clamp(edge * std::fabs(cloud.frequency) * finest * cells_a_wave, 8.0f, most));
+    return int(std::clamp(edge * cloud.frequency * finest * cells_a_wave, 8.0f, most));
   };
   const DensityGrid::Size size{cells(extent.x), cells(extent.y), cells(extent.z)};
   const auto at = [](float low, float edge, int cell, int number) {

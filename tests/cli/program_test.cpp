@@ -249,7 +249,7 @@ TEST_CASE("a scene that media light has no default light") {
     const ProcessResult result = run_program(
         quoted(scene) + " --default-light -r 24 18 -s 1 --progress=none -o " + quoted(folder.file("a.png")));
     CHECK(result.exit_code == 0);
-    return result.out.find("a soft sky, and a light at the camera") != std::string::npos;
+    return result.err.find("--default-light: no effect, for the scene has light") == std::string::npos;
   };
   CHECK(is_lit_by_default(""));
   CHECK_FALSE(is_lit_by_default("\"rgb Le\" [ 1 1 1 ]"));

@@ -67,11 +67,11 @@ TEST_CASE("a replayed sample is the pixel of a picture of one sample, by every w
       REQUIRE(run_program(command + "-q -o " + quoted(picture)).exit_code == 0);
       const Image image = read_image(picture);
       for (const auto& [x, y] : {std::pair(24, 20), std::pair(10, 30)}) {
-        const ProcessResult replayed =
+        const ProcessResult result =
             run_program(command + fmt::format("-q --replay {} {} 0 --replay-json ", x, y) + quoted(replay));
-        CHECK(replayed.exit_code == 0);
-        CHECK(replayed.out.empty());
-        CHECK(replayed.err.empty());
+        CHECK(result.exit_code == 0);
+        CHECK(result.out.empty());
+        CHECK(result.err.empty());
         const json path = json::parse(read_text(replay));
         CHECK(rgb_of(path["sum"]) == image.at(x, y));
         CHECK(path["rendered"] == path["sum"]);

@@ -164,6 +164,23 @@ TEST_CASE("a replayed path has what media emit, and its terms add up to its radi
   CHECK(glows > 64);
 }
 
+TEST_CASE("light of media that is seen directly is emission, and what they let through is not") {
+  Interior ember = grey(0.5f, 0);
+  ember.glow.radiance = {1, 2, 3};
+  const Scene scene = under(ball_of(Interface{}, ember), constant_sky({1, 1, 1}));
+  RenderOptions options = small_picture(4);
+  options.light_paths = true;
+  const auto check = [&](const Integrator& integrator) {
+    const Film film = render_with(scene, integrator, options).film;
+    const std::vector<Rgb> parts = parts_at(film, Division::paths, 1, 2);
+    const double left = std::exp(-0.5 * 2);
+    CHECK(parts[std::size_t(LightPath::emission)].g == Approx(2 * (1 - left)).epsilon(1e-3));
+    CHECK(parts[std::size_t(LightPath::environment)].g == Approx(left).epsilon(1e-3));
+  };
+  check(PathIntegrator(scene, {}));
+  check(PathReference(scene, {}));
+}
+
 TEST_CASE("light of a medium lights what stands beside it") {
   // A thin glowing ball far above a floor is a point of light: radiance times absorption times volume.
   Scene scene = scene_of(floor_square(30, 0), {0.5f, 0.5f, 0.5f}, {0, 1, 0.01f}, {0, 0, 0});

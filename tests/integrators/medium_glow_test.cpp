@@ -57,9 +57,9 @@ Rgb mean_of(const Scene& scene, const Interior& medium, float t) {
 }
 
 void check_close(const Rgb& a, const Rgb& b, double epsilon) {
-  CHECK(a.r == Approx(b.r).epsilon(epsilon).margin(1e-7));
-  CHECK(a.g == Approx(b.g).epsilon(epsilon).margin(1e-7));
-  CHECK(a.b == Approx(b.b).epsilon(epsilon).margin(1e-7));
+  CHECK(a.r == Approx(b.r).epsilon(epsilon).margin(1e-15));
+  CHECK(a.g == Approx(b.g).epsilon(epsilon).margin(1e-15));
+  CHECK(a.b == Approx(b.b).epsilon(epsilon).margin(1e-15));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ from mutant import Mutant
 EVEN = "an even medium glows by what a ray absorbs of it, however thin or long that is"
 GRIDS = "light of media in grids is the integral along the ray"
 SKY = "a body as bright as the sky cannot be told from it, whatever it absorbs and scatters"
+SEEN = "light of media that is seen directly is emission, and what they let through is not"
 BESIDE = "light of a medium lights what stands beside it"
 WAVES = "waves of paths have the bits and the rays of paths one after the other"
 BLACK = "a black body's glow is its spectrum over the greatest radiance, seen by the observer"
@@ -66,7 +67,7 @@ MUTANTS = [
     Mutant("light of media is no part of a wave's picture", "integrators/wave/found_light.cpp",
            "    add_seen_light(false, light, paths_of(sample));\n",
            "    add_seen_light(true, light, paths_of(sample));\n",
-           "test_integrators", WAVES),
+           "test_integrators", SEEN),
     Mutant("a replay forgets what media emit", "integrators/path_log.cpp",
            "    if (vertex.glow) sum += vertex.glow->term;\n", "", "test_integrators", SUMS),
     Mutant("a replay does not tell what media emit", "cli/replay/text.cpp",
@@ -81,7 +82,7 @@ MUTANTS = [
     Mutant("what is reached nowhere is at the end of the ray", "integrators/medium_glow.cpp",
            "if (std::isfinite(distance)) on", "on", "test_integrators", FAR),
     Mutant("a scene that media light is dark", "cli/default_light.cpp",
-           "return has_glow(scene.materials) ||\n         std", "return std", "test_cli", LIT),
+           "return has_glow(scene.materials) ||\n         std", "return std", "test_cli_engines", LIT),
     Mutant("what black bodies emit is relative to something else", "core/blackbody.cpp",
            "const double greatest = planck(peak / kelvin, kelvin);",
            "const double greatest = planck(560, kelvin);", "test_core", BLACK),

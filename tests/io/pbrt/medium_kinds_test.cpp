@@ -106,6 +106,7 @@ TEST_CASE("written pbrt and exchange: light of media comes back as it was, or wh
   CHECK(interior_of(own_trip.scene).glow == factors);
   CHECK(own_trip.scene.densities[1]->size() == DensityGrid::Size{1, 1, 1});
   CHECK_FALSE(test::contains(own_trip.text, "Lescale"));
+  CHECK(own_trip.warnings.empty());
   const test::RoundTrip even = test::round_trip(scene_with(even_glow, no_density), "a.pbrt");
   CHECK(even.warnings.empty());
   CHECK(interior_of(even.scene).glow == even_glow);
