@@ -190,7 +190,7 @@ void DensityGrid::walk(const Line& line, double from, double to, const Visit& vi
     const double o = line.origin[k], d = line.direction[k];
     const double low = 0.5, high = size_[k] + 0.5;
     if (d == 0) {
-      if (o < low || o > high) return;
+      if (!(o >= low && o <= high)) return;  // Nor where it is no number.
       continue;
     }
     const double a = (low - o) / d, b = (high - o) / d;

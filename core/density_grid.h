@@ -66,7 +66,7 @@ class DensityGrid {
     std::array<double, 3> origin, direction;
     double at(std::size_t axis, double t) const { return origin[axis] + direction[axis] * t; }
   };
-  /// A cell of the lattice that a line goes through: its density along that, in parts of the cell's edges.
+  /// A cell of the lattice that a line goes through: the density along that, and its integral.
   class CellOnLine;
 
   Line line_of(const Ray& ray) const;

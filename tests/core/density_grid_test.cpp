@@ -132,6 +132,8 @@ TEST_CASE("rays along the axes, in the planes of a grid, and beside it end well"
   CHECK(through({0, 0.5f, -1}, {0, 0, 1}) == Approx(0.5 * (3 * 0.5 + 2 * 2.25 * 0.25)));
   CHECK(through({2, 0.5f, -1}, {0, 0, 1}) == 0);
   CHECK(through({0.5f, 0.5f, 2}, {0, 0, 1}) == 0);
+  CHECK(grid.at({0.5f, infinity, 0.5f}) == 0);
+  CHECK(grid.at({0.5f, 0.5f, std::nanf("")}) == 0);
   CHECK(through({0.5f, 0.5f, 1e3f}, {0, 0, -1e15f}) == Approx(3 * 0.5 + 2 * 2.25 * 0.25).epsilon(1e-3));
 }
 

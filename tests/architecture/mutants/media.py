@@ -47,7 +47,7 @@ MUTANTS = [
            "const double low = 0.5, high = size_[k] + 0.5;",
            "const double low = 1, high = size_[k];", "test_core", GRID),
     Mutant("a ray beside a grid's box that is parallel to its sides is in it", "core/density_grid.cpp",
-           "if (o < low || o > high) return;", "", "test_core", AXES),
+           "if (!(o >= low && o <= high)) return;", "", "test_core", AXES),
     Mutant("a grid's lengths are those of the ray's parameter", "core/density_grid.cpp",
            "return sum * scale;", "return sum;", "test_core", GRID),
     Mutant("a grid is reached by what lies in one cell", "core/density_grid.cpp",
