@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "check/recorded_rays.h"
 
-#include "core/lens.h"
+#include "core/camera.h"
 #include "core/random.h"
 
 namespace twinray {
@@ -19,7 +19,8 @@ void record_sample(const Integrator& integrator, const Camera& camera, const Acc
                    Vec2 frame, const SampleKey& key, std::vector<RecordedRay>& rays) {
   Tracer tracer(accelerator, false, &rays);
   const VertexSampler sampler(SamplerKind::independent, PathKey(key), 0);
-  integrator.radiance(lens_ray(camera, frame, sampler), SamplerKind::independent, key, tracer);
+  const Vec2 lens = has_lens(camera) ? sampler.draw_2d(Purpose::lens) : Vec2{};
+  integrator.radiance(lens_ray(camera, frame, lens).ray, SamplerKind::independent, key, tracer);
 }
 
 std::vector<RecordedRay> record_rays(const Scene& scene, const Recording& recording) {

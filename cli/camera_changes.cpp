@@ -23,6 +23,7 @@ Vec2 center_in_other_units(const Camera& from, const Camera& to, double aspect) 
 /// Half of the frame's height, and as much of its width as the picture's shape has.
 Camera with_half_height(const Camera& camera, Projection projection, float half, double aspect) {
   Camera made = camera;
+  made.lenses = nullptr;
   made.projection = projection;
   made.is_stretched = false;
   made.tan_half_height = half;
@@ -41,6 +42,7 @@ Camera with_parallel_rays(const Camera& camera, const AskedProjection& asked, co
         "--projection=orthographic: the camera does not look at the scene, so the frame's height must be "
         "given, in scene units, as in orthographic:2");
   Camera parallel = camera;
+  parallel.lenses = nullptr;
   parallel.projection = Projection::orthographic;
   parallel.tan_half_width *= depth;
   parallel.tan_half_height *= depth;
@@ -78,6 +80,7 @@ Camera changed(const Camera& camera, const CameraChanges& changes, const Camera&
     made.frame_center = {2 * changes.shift->x * fitted.tan_half_width,
                          2 * changes.shift->y * fitted.tan_half_height};
   if (changes.lens) {
+    made.lenses = nullptr;
     made.lens_radius = changes.lens->radius;
     made.focal_distance = changes.lens->focal_distance;
   }

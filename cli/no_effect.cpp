@@ -414,8 +414,9 @@ std::vector<std::string> options_without_effect(const Scene& scene, const Render
       found.push_back(fmt::format("{}: no effect, for all surfaces of the scene are diffuse", option));
   const Camera& camera = scene.camera;
   if (is_given("--aperture-blades", arguments) && camera.lens_radius == 0)
-    found.push_back(is_panorama(camera.projection)
-                        ? "--aperture-blades: no effect, for panoramas have no lens"
+    found.push_back(
+        is_panorama(camera.projection) ? "--aperture-blades: no effect, for panoramas have no lens"
+        : camera.lenses ? "--aperture-blades: no effect, for the camera's lens has a stop of its own"
                         : "--aperture-blades: no effect, for the camera has no lens; --lens gives it one");
   if (arguments.load.clip_as_file && is_given("--clip", arguments) && arguments.view == View::file &&
       camera.clip_near == 0 && std::isinf(camera.clip_far))

@@ -124,6 +124,7 @@ set(private_headers
   integrators/wave/wave.h
   io/assimp/import_function.h
   io/assimp/model_bytes.h
+  io/exchange/camera.h
   io/exchange/entry.h
   io/exchange/json.h
   io/exchange/members.h

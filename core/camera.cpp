@@ -74,6 +74,35 @@ Vec3 equal_area_view(Vec2 frame) {
   return {d.x, d.z, d.y};
 }
 
+/// In the frame's units, to the right and up of the axis.
+Vec2 point_of_frame(const Camera& camera, Vec2 frame) {
+  return {(2 * frame.x - 1) * camera.tan_half_width + camera.frame_center.x,
+          (1 - 2 * frame.y) * camera.tan_half_height + camera.frame_center.y};
+}
+
+/// A point of the camera's lens of radius 1, uniform by area for u uniform in [0, 1)^2.
+Vec2 lens_point(const Camera& camera, Vec2 u) {
+  if (camera.aperture_blades == 0) return square_to_disc(u);
+  return square_to_polygon(u, camera.aperture_blades, camera.aperture_turns);
+}
+
+/// The picture on the film is upside down.
+LensRay lens_system_ray(const Camera& camera, Vec2 frame, Vec2 u) {
+  const Vec2 seen = point_of_frame(camera, frame);
+  const auto distance = float(camera.lenses->image_distance());
+  const LensSystem::Sight sight = camera.lenses->sight({-seen.x * distance, -seen.y * distance}, u);
+  const auto in_world = [&](const Vec3& v) {
+    return camera.right * v.x + camera.up * v.y + camera.forward * v.z;
+  };
+  // Its length along `forward` is 1 where it has one.
+  const float unit = camera.clips_by_distance || !(sight.direction.z > 0) ? 1 : sight.direction.z;
+  return {{.origin = camera.position + in_world(sight.origin),
+           .direction = in_world(sight.direction) / unit,
+           .t_min = camera.clip_near,
+           .t_max = camera.clip_far},
+          sight.light};
+}
+
 Ray panorama_ray(const Camera& camera, Vec2 frame, float x, float y) {
   const bool is_fisheye = camera.projection == Projection::fisheye;
   const Vec3 d = is_fisheye                                    ? fisheye_direction(x, y)
@@ -114,6 +143,7 @@ Camera with_panorama(const Camera& camera, Projection panorama, float half_field
   around.projection = panorama;
   around.frame_center = {0, 0};
   around.lens_radius = 0;
+  around.lenses = nullptr;
   around.is_stretched = panorama != Projection::fisheye;
   around.tan_half_width = around.tan_half_height = half_field;
   if (panorama == Projection::equal_area) around.tan_half_width = around.tan_half_height = std::sqrt(pi);
@@ -136,8 +166,7 @@ Camera fit_frame(const Camera& camera, float aspect) {
 }
 
 Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens) {
-  const float x = (2 * frame.x - 1) * camera.tan_half_width + camera.frame_center.x;
-  const float y = (1 - 2 * frame.y) * camera.tan_half_height + camera.frame_center.y;
+  const auto [x, y] = point_of_frame(camera, frame);
   if (is_panorama(camera.projection)) return panorama_ray(camera, frame, x, y);
   const bool is_parallel = camera.projection == Projection::orthographic;
   const Vec3 through = is_parallel ? camera.forward : camera.forward + camera.right * x + camera.up * y;
@@ -157,6 +186,15 @@ Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens) {
     ray.t_max /= unit;
   }
   return ray;
+}
+
+LensRay lens_ray(const Camera& camera, Vec2 frame, Vec2 u) {
+  if (camera.lenses) {
+    const LensRay made = lens_system_ray(camera, frame, u);
+    if (made.light > 0) return made;
+    return {camera_ray(camera, frame, {}), 0};
+  }
+  return {camera_ray(camera, frame, camera.lens_radius == 0 ? Vec2{} : lens_point(camera, u))};
 }
 
 }  // namespace twinray

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "core/aabb.h"
+#include "core/lens_system.h"
 #include "core/ray.h"
 #include "core/vec.h"
 
@@ -18,7 +20,8 @@ enum class Projection {
   equal_area,          ///< All directions in a square, each pixel of the same solid angle, as pbrt-v4 has it.
 };
 
-/// A camera with a thin lens; with lens_radius 0 a pinhole. The three axes are orthonormal.
+/// A camera with a thin lens, with lens_radius 0 a pinhole, or with a lens as it is built. The three axes are
+/// orthonormal.
 struct Camera {
   Vec3 position{0, 0, 0};
   Vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
@@ -34,12 +37,18 @@ struct Camera {
   float focal_distance = 1;  ///< Depth of the plane in focus, > 0; it matters for lens_radius > 0 only.
   int aperture_blades = 0;   ///< Corners of the lens, 3 or more, at the radius; 0: it is round.
   float aperture_turns = 0;  ///< How far the first corner is turned from `right` towards `up`, in [0, 1).
+  /// Of a perspective camera without a thin lens: what its rays go through, the film around the position;
+  /// null of most. The frame's plane is at its image_distance() behind the rear principal plane.
+  std::shared_ptr<const LensSystem> lenses = nullptr;
   bool clips_by_distance = false;  ///< The clip distances count along each ray, as those of panoramas do.
   bool is_stretched = false;       ///< The frame fills a picture of any shape: its pixels may be oblong.
 };
 
 /// "perspective", "orthographic", "latitude-longitude", "fisheye", "equal-area".
 std::string projection_name(Projection projection);
+
+/// Whether rays start at points of a lens.
+inline bool has_lens(const Camera& camera) { return camera.lens_radius != 0 || camera.lenses; }
 
 /// Whether rays go from one point to many sides.
 inline bool is_panorama(Projection projection) {
@@ -65,10 +74,19 @@ Camera view_whole(const Camera& camera, const Aabb& box);
 /// `half_field` to the axis of view, in radians. It has no lens.
 Camera with_panorama(const Camera& camera, Projection panorama, float half_field);
 
-/// The ray through a point of the frame, (0, 0) top left and (1, 1) bottom right, and a point of the lens in
-/// the unit disc. Its direction has length 1 along `forward`, so t counts depth; in a panorama it is a unit
-/// vector, and t counts distance. Beside the frame goes on what is in it. A point without a direction,
+/// The ray through a point of the frame, (0, 0) top left and (1, 1) bottom right, and a point of the thin
+/// lens in the unit disc. Its direction has length 1 along `forward`, so t counts depth; in a panorama it is
+/// a unit vector, and t counts distance. Beside the frame goes on what is in it. A point without a direction,
 /// outside of a fisheye's circle, has a ray whose interval is empty.
 Ray camera_ray(const Camera& camera, Vec2 frame, Vec2 lens);
+
+/// A camera ray, and how much of the light along it the lens lets through, over the density of the ray.
+struct LensRay {
+  Ray ray;
+  float light = 1;
+};
+/// That through a random point of the lens; u uniform in [0, 1)^2. Where a lens system lets no light through,
+/// the ray is that of a pinhole: it says what the pixel shows.
+LensRay lens_ray(const Camera& camera, Vec2 frame, Vec2 u);
 
 }  // namespace twinray

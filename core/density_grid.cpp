@@ -15,7 +15,8 @@ namespace twinray {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr std::size_t row = 9, slice = row * row, brick_size = row * slice;  // Of a brick's points.
+constexpr std::size_t row_points = 9, slice = row_points * row_points,
+                      brick_size = row_points * slice;  // Of a brick's points.
 
 double between(double a, double b, double part) { return a + (b - a) * part; }
 
@@ -52,7 +53,7 @@ class DensityGrid::CellOnLine {
  public:
   CellOnLine(const float* brick, const Index& cell, const Line& line) : direction_(line.direction) {
     const auto within = [](int at) { return std::size_t(at % cells); };
-    corners_ = brick + within(cell[2]) * slice + within(cell[1]) * row + within(cell[0]);
+    corners_ = brick + within(cell[2]) * slice + within(cell[1]) * row_points + within(cell[0]);
     for (std::size_t k = 0; k < 3; ++k) origin_[k] = line.origin[k] - double(cell[k]);
   }
 
@@ -62,7 +63,8 @@ class DensityGrid::CellOnLine {
     const auto along_x = [&](std::size_t i) {
       return between(double(corners_[i]), double(corners_[i + 1]), x);
     };
-    return between(between(along_x(0), along_x(row), y), between(along_x(slice), along_x(slice + row), y), z);
+    return between(between(along_x(0), along_x(row_points), y),
+                   between(along_x(slice), along_x(slice + row_points), y), z);
   }
   double integral(double from, double to) const {
     constexpr double node = 0.57735026918962576;  // 1 / sqrt(3)
@@ -135,7 +137,7 @@ void DensityGrid::set(int x, int y, int z, float value) {
           kept = std::uint32_t(values_.size() / brick_size);
         }
         const auto within = [](int at, int brick) { return std::size_t(at - brick * cells); };
-        values_[(kept - 1) * brick_size + within(point[2], bz) * slice + within(point[1], by) * row +
+        values_[(kept - 1) * brick_size + within(point[2], bz) * slice + within(point[1], by) * row_points +
                 within(point[0], bx)] = value;
       }
 }
@@ -158,7 +160,7 @@ float DensityGrid::value(int x, int y, int z) const {
   // Its point is the upper one of the lattice's cell of the same index.
   const float* const brick = brick_at({x / cells, y / cells, z / cells});
   const auto upper = [](int at) { return std::size_t(at % cells + 1); };
-  return brick ? brick[upper(z) * slice + upper(y) * row + upper(x)] : 0;
+  return brick ? brick[upper(z) * slice + upper(y) * row_points + upper(x)] : 0;
 }
 
 double DensityGrid::at(const Vec3& point) const {

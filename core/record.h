@@ -77,13 +77,17 @@ class RecordSpans {
   }
   /// Multiplies one sample's radiance, its parts and what the film takes means of.
   void weigh(std::size_t sample, float weight) const {
-    color_[sample] = color_[sample] * weight;
+    dim(sample, weight);
     for (std::size_t i = 0; i < layer_count; ++i)
       if (!columns_[i].empty() && layer_info(Layer(i)).gathering == Gathering::mean)
         columns_[i][sample] = columns_[i][sample] * weight;
+  }
+  /// Multiplies one sample's radiance and its parts alone.
+  void dim(std::size_t sample, float factor) const {
+    color_[sample] = color_[sample] * factor;
     for (const PartRows& rows : parts_)
       if (!rows.empty())
-        for (Rgb& part : rows[sample]) part = part * weight;
+        for (Rgb& part : rows[sample]) part = part * factor;
   }
   /// Those of `size` samples from `first` on.
   RecordSpans part(std::size_t first, std::size_t size) const {

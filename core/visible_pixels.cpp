@@ -43,7 +43,7 @@ PixelRect visible_pixels(const Camera& camera, const Aabb& box, const PicturePix
   Span x{margin.x}, y{margin.y};
   for (const Vec3& corner : corners_of(box)) {
     const double scale = is_parallel ? 1 : along(camera.forward, corner, camera.position);
-    if (camera.lens_radius != 0 || !(scale > 0)) return window;
+    if (has_lens(camera) || !(scale > 0)) return window;
     const double right = along(camera.right, corner, camera.position) / scale - camera.frame_center.x;
     const double up = along(camera.up, corner, camera.position) / scale - camera.frame_center.y;
     x.extend((1 + right / camera.tan_half_width) / 2 * width);

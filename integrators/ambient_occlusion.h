@@ -18,6 +18,8 @@ class AmbientOcclusionIntegrator final : public PlainIntegrator {
                                       float distance = std::numeric_limits<float>::infinity())
       : bsdfs_(scene, Materials::exact), distance_(distance) {}
 
+  bool is_of_light() const override { return false; }
+
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
 

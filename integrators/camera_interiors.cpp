@@ -36,7 +36,7 @@ Aabb bounds_of_bodies(const Scene& scene) {
 
 /// Whether all rays start where the camera stands.
 bool is_one_point(const Camera& camera) {
-  return camera.projection != Projection::orthographic && camera.lens_radius == 0 && camera.clip_near == 0;
+  return camera.projection != Projection::orthographic && !has_lens(camera) && camera.clip_near == 0;
 }
 
 }  // namespace

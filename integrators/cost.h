@@ -13,6 +13,8 @@ class CostIntegrator final : public PlainIntegrator {
  public:
   explicit CostIntegrator(CostKind kind) : kind_(kind) {}
 
+  bool is_of_light() const override { return false; }
+
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
 

@@ -26,6 +26,7 @@ struct CameraSample {
   RayCone cone;  ///< Around the ray; without one, textures are seen at points.
   /// How much it counts in the means of its pixel, as the pixel's filter has it; 0: no light comes this way.
   float weight = 1;
+  float light = 1;           ///< Its radiance is times that: what the camera's lens leaves of it.
   Interiors interiors = {};  ///< That the ray starts in.
 };
 
@@ -38,6 +39,8 @@ class Integrator {
   /// others are made with it and in whatever order their rays are traced.
   virtual void sample(std::span<const CameraSample> samples, SamplerKind kind, Tracer& tracer,
                       const RecordSpans& records) const = 0;
+  /// Whether that is light, which the camera's lens may dim.
+  virtual bool is_of_light() const { return true; }
   /// The radiance of one sample alone.
   Rgb radiance(const Ray& camera_ray, SamplerKind kind, const SampleKey& key, Tracer& tracer) const {
     return radiance({camera_ray, key}, kind, tracer);

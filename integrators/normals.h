@@ -17,6 +17,8 @@ class NormalsIntegrator final : public PlainIntegrator {
   explicit NormalsIntegrator(const Scene& scene, Mixture mixture = Mixture::unit)
       : scene_(scene), mixture_(mixture) {}
 
+  bool is_of_light() const override { return false; }
+
  private:
   Rgb radiance_of(const CameraSample& sample, SamplerKind kind, Tracer& tracer) const override;
 

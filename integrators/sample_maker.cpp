@@ -18,6 +18,12 @@ PixelRect pixels_with_light(const TracedScene& of, const Camera& camera, const R
       {options.width, options.height, window_of(options), {radius.x + 0.5f, radius.y + 0.5f}});
 }
 
+/// What comes along a ray that no light gets through the lens by need not be looked for.
+void skip_dark(std::span<CameraSample> samples) {
+  for (CameraSample& sample : samples)
+    if (sample.light == 0) sample.ray.t_max = -1;
+}
+
 }  // namespace
 
 SampleMaker::SampleMaker(const TracedScene& of, const RenderOptions& options)
@@ -46,10 +52,14 @@ void SampleMaker::sample_lights(std::span<const CameraSample> camera_samples, Tr
 void SampleMaker::make(std::span<const PixelSample> samples, std::span<CameraSample> camera_samples,
                        Tracer& tracer, const RecordSpans& records) const {
   camera_stage_.make(samples, camera_samples);
+  if (!records.has_layers() && of_.integrator.is_of_light()) skip_dark(camera_samples);
   camera_interiors_.find(camera_samples);
   sample_lights(camera_samples, tracer, records);
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
+    if (const float light = camera_samples[i].light; light != 1 && of_.integrator.is_of_light())
+      records.dim(i, light);
+  }
 }
 
 }  // namespace twinray

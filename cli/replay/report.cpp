@@ -168,6 +168,7 @@ std::string replay_json(const ReplayedSample& replayed) {
                    {"sampler", sampler_name(render.sampler)},
                    {"filter", filter_text(render.filter)},
                    {"weight", json_of(replayed.replay.sample.weight)},
+                   {"lens", json_of(replayed.replay.sample.light)},
                    {"pixel", {replayed.place().x, replayed.place().y}},
                    {"sample", replayed.place().index},
                    {"vertices", list_json(replayed.scene, path.vertices())},

@@ -212,6 +212,11 @@ std::string replay_text(const ReplayedSample& replayed) {
   if (made.sample.weight != 1)
     text += line("weight",
                  fmt::format("{}, of the pixel filter {}", made.sample.weight, filter_text(render.filter)));
+  if (made.sample.light != 1)
+    text += line("lens",
+                 fmt::format("lets {} of the light through, over the density of this ray; what follows is "
+                             "the light before it",
+                             made.sample.light));
   std::size_t number = 0;
   for (const PathVertex& vertex : made.path.vertices()) text += vertex_text(replayed.scene, vertex, ++number);
   return text + fmt::format("\nThe path ends: {}.\nAll that it adds   {}\nRendered sample    {}\n",

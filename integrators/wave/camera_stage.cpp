@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/lens.h"
-
 namespace twinray {
 
 struct CameraStage::Draws {
@@ -39,8 +37,7 @@ CameraSample CameraStage::make_alone(const PixelSample& sample) const {
   const VertexSampler sampler(sampling_.kind, PathKey(key_of(sample)), 0);
   const FilterSampler::Place place = sampling_.samples == 1 ? FilterSampler::Place{{0.5f, 0.5f}, 1}
                                                             : filter_.place(sampler.draw_2d(Purpose::pixel));
-  const Vec2 lens = camera_.lens_radius == 0 ? Vec2{} : lens_point(camera_, sampler.draw_2d(Purpose::lens));
-  return sample_at(sample, place, lens);
+  return sample_at(sample, place, has_lens(camera_) ? sampler.draw_2d(Purpose::lens) : Vec2{});
 }
 
 void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const {
@@ -53,7 +50,7 @@ void CameraStage::draw(std::span<const PixelSample> samples, Draws& draws) const
     stages_->draw(draws.pixel, draws.index, samples.size(), {sampling_.kind, place_of(purpose, 0), {}}, x, y);
   };
   draw_2d(Purpose::pixel, draws.x, draws.y);
-  if (camera_.lens_radius != 0) draw_2d(Purpose::lens, draws.lens_x, draws.lens_y);
+  if (has_lens(camera_)) draw_2d(Purpose::lens, draws.lens_x, draws.lens_y);
 }
 
 void CameraStage::make_together(std::span<const PixelSample> samples, std::span<CameraSample> made) const {
@@ -66,8 +63,7 @@ void CameraStage::make_together(std::span<const PixelSample> samples, std::span<
   stages_->place_in_pixels(filter_, samples.size(), draws.x, draws.y, draws.weight);
   if (is_pinhole()) return make_of_pinhole(samples, draws, made);
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Vec2 lens =
-        camera_.lens_radius == 0 ? Vec2{} : lens_point(camera_, {draws.lens_x[i], draws.lens_y[i]});
+    const Vec2 lens = has_lens(camera_) ? Vec2{draws.lens_x[i], draws.lens_y[i]} : Vec2{};
     made[i] = sample_at(samples[i], {{draws.x[i], draws.y[i]}, draws.weight[i]}, lens);
   }
 }
@@ -85,7 +81,7 @@ void CameraStage::make_of_pinhole(std::span<const PixelSample> samples, Draws& d
                   .direction = draws.directions.at(i),
                   .t_min = camera_.clip_near,
                   .t_max = camera_.clip_far};
-    made[i] = sample_of(ray, samples[i], draws.weight[i]);
+    made[i] = sample_of({ray}, samples[i], draws.weight[i]);
   }
 }
 

@@ -41,13 +41,13 @@ class CameraStage {
     return {(float(sample.x) + in_pixel.x) / float(sampling_.width),
             (float(sample.y) + in_pixel.y) / float(sampling_.height)};
   }
-  CameraSample sample_of(const Ray& ray, const PixelSample& sample, float weight) const {
-    return {ray, key_of(sample), pixel_cone_.part(part_of_pixel(sample.index)),
-            ray.t_max < ray.t_min ? 0 : weight};
+  CameraSample sample_of(const LensRay& made, const PixelSample& sample, float weight) const {
+    return {made.ray, key_of(sample), pixel_cone_.part(part_of_pixel(sample.index)),
+            made.ray.t_max < made.ray.t_min ? 0 : weight, made.light};
   }
-  /// From a point of the frame and of the lens.
-  CameraSample sample_at(const PixelSample& sample, const FilterSampler::Place& place, Vec2 lens) const {
-    return sample_of(camera_ray(camera_, frame_point(sample, place.in_pixel), lens), sample, place.weight);
+  /// From a point of the frame and of the lens, the latter by a draw.
+  CameraSample sample_at(const PixelSample& sample, const FilterSampler::Place& place, Vec2 u) const {
+    return sample_of(lens_ray(camera_, frame_point(sample, place.in_pixel), u), sample, place.weight);
   }
   CameraSample make_alone(const PixelSample& sample) const;
   /// The draws of up to wave_size samples.
@@ -55,8 +55,7 @@ class CameraStage {
   void make_together(std::span<const PixelSample> samples, std::span<CameraSample> made) const;
   /// Whether lanes know the directions of all rays.
   bool is_pinhole() const {
-    return camera_.projection == Projection::perspective && camera_.lens_radius == 0 &&
-           !camera_.clips_by_distance;
+    return camera_.projection == Projection::perspective && !has_lens(camera_) && !camera_.clips_by_distance;
   }
   void make_of_pinhole(std::span<const PixelSample> samples, Draws& draws,
                        std::span<CameraSample> made) const;

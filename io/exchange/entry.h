@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/error.h"
 #include "io/diagnostic.h"
 #include "io/exchange/json.h"
 #include "io/exchange/words.h"
@@ -101,6 +102,16 @@ class Entry {
   WarningList& warnings_;
   mutable std::vector<std::string_view> asked_;  ///< The keys that were asked for, once or more often.
 };
+
+/// What reading a file, or making something of what stands in one, gives; its Error begins with the place.
+template <typename Read>
+auto at_place(const std::string& place, const Read& read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    throw Error(place + ": " + error.what());
+  }
+}
 
 /// Reads members out of an object, which must outlive it.
 class MemberReader {

@@ -15,6 +15,7 @@
 #include "core/film.h"
 #include "core/parallel.h"
 #include "core/scene_textures.h"
+#include "io/exchange/camera.h"
 #include "io/exchange/entry.h"
 #include "io/exchange/texture.h"
 #include "io/input_file.h"
@@ -36,16 +37,6 @@ LightSource read_source(const Entry& entry) {
   return described_by<LightSource>(
       entry, {MeshLight{}, SphereLight{}, PointLight{}, SpotLight{}, DirectionalLight{}, AmbientLight{},
               EnvironmentLight{}, GoniometricLight{}, ProjectionLight{}, SunLight{}});
-}
-
-/// What reading a file gives; its Error begins with the place that names the file.
-template <typename Read>
-auto at_place(const std::string& place, const Read& read) {
-  try {
-    return read();
-  } catch (const Error& error) {
-    throw Error(fmt::format("{}: {}", place, error.what()));
-  }
 }
 
 bool is_not_negative(const Rgb& pixel) { return at_least_zero(pixel) == pixel; }
@@ -71,7 +62,11 @@ class SceneReader {
         read_lights(file);
       read_shapes(file);
       assemble({prototypes_, read_instances(file)});
-      file.within("camera", [&](const Entry& entry) { read_camera(file, entry); });
+      read_resolution(file);
+      file.within("camera", [&](const Entry& entry) {
+        const Camera camera = read_exchange_camera(entry, *loaded_.defaults.resolution);
+        loaded_.scene.camera = options_.clip_as_file ? camera : without_clip(camera);
+      });
       if (file.has("render")) file.within("render", [&](const Entry& entry) { read_render(entry); });
     });
     finish();
@@ -315,39 +310,11 @@ class SceneReader {
     return instances;
   }
 
-  void read_camera(const Entry& file, const Entry& entry) {
-    const MemberReader visit(entry);
-    Camera camera;
-    std::vector<std::pair<std::string, Projection>> projections;
-    for (const Projection each :
-         {Projection::perspective, Projection::orthographic, Projection::latitude_longitude,
-          Projection::fisheye, Projection::equal_area})
-      projections.emplace_back(projection_name(each), each);
-    camera.projection = entry.named("type", projections);
-    const bool is_at_distance = camera.projection == Projection::perspective;
-    visit("position", camera.position);
-    visit.direction("right", camera.right);
-    visit.direction("up", camera.up);
-    visit.direction("forward", camera.forward);
-    if (!is_right_angle(camera.right, camera.up) || !is_right_angle(camera.right, camera.forward) ||
-        !is_right_angle(camera.up, camera.forward))
-      entry.fail("\"right\", \"up\" and \"forward\" must be at right angles");
-    visit(is_at_distance ? "tan_half_width" : "half_width", camera.tan_half_width, Valid::positive);
-    visit(is_at_distance ? "tan_half_height" : "half_height", camera.tan_half_height, Valid::positive);
-    visit.later("lens_radius", camera.lens_radius, Valid::not_negative);
-    visit.later("focal_distance", camera.focal_distance, Valid::positive);
-    visit.later("clip_near", camera.clip_near, Valid::not_negative);
-    if (entry.has("frame_center")) visit("frame_center", camera.frame_center);
-    if (entry.has("aperture"))
-      entry.within("aperture", [&](const Entry& aperture) { read_aperture(aperture, camera); });
-    if (entry.has("clip_far")) visit("clip_far", camera.clip_far, Valid::positive);
-    if (camera.clip_far <= camera.clip_near) entry.fail("\"clip_far\" must lie beyond \"clip_near\"");
-    camera.clips_by_distance = entry.has("clip_along") &&
-                               entry.named<bool>("clip_along", {{"forward", false}, {"ray", true}}) &&
-                               !is_panorama(camera.projection);
-    if (!options_.clip_as_file) camera = without_clip(camera);
-    set_frame(file, camera);
-    loaded_.scene.camera = camera;
+  void read_resolution(const Entry& file) {
+    constexpr std::uint32_t most = 65536;
+    const Json& list = file.list("resolution", 2);
+    loaded_.defaults.resolution = {int(file.whole("resolution", list[0], 1, most)),
+                                   int(file.whole("resolution", list[1], 1, most))};
   }
 
   /// What the file says of the picture besides its size.
@@ -375,29 +342,6 @@ class SceneReader {
     if (crop[0] + crop[2] > width || crop[1] + crop[3] > height)
       entry.fail(fmt::format("\"crop\" is not a part of {} x {} pixels", width, height));
     loaded_.defaults.crop = crop;
-  }
-
-  static void read_aperture(const Entry& entry, Camera& camera) {
-    camera.aperture_blades = int(entry.whole("blades", entry.at("blades"), 3, 1000));
-    const MemberReader visit(entry);
-    visit("turns", camera.aperture_turns, Valid::part);
-  }
-
-  /// The resolution, and a camera whose frame, fitted to it, is that of the file to the bit: of its sides the
-  /// one that fit_frame() made of the other is a bit short.
-  void set_frame(const Entry& file, Camera& camera) {
-    constexpr std::uint32_t most = 65536;
-    const Json& list = file.list("resolution", 2);
-    const auto width = int(file.whole("resolution", list[0], 1, most));
-    const auto height = int(file.whole("resolution", list[1], 1, most));
-    loaded_.defaults.resolution = {width, height};
-    const float aspect = float(width) / float(height);
-    if (camera.tan_half_width == camera.tan_half_height * aspect)
-      camera.tan_half_width = std::nextafter(camera.tan_half_width, 0.0f);
-    else if (camera.tan_half_height == camera.tan_half_width / aspect)
-      camera.tan_half_height = std::nextafter(camera.tan_half_height, 0.0f);
-    else
-      camera.is_stretched = true;
   }
 
   void finish() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "io/exchange/writer.h"
+#include "io/exchange/camera.h"
 
 #include <fmt/format.h>
 
@@ -21,26 +22,6 @@ const Image* picture_of(const Light& light) {
   if (const auto* source = std::get_if<GoniometricLight>(&light.source)) return source->map.get();
   const auto* projection = std::get_if<ProjectionLight>(&light.source);
   return projection ? projection->picture.get() : nullptr;
-}
-
-Json camera_json(const Camera& camera) {
-  const bool is_at_distance = camera.projection == Projection::perspective;
-  Json json{{"type", projection_name(camera.projection)},
-            {"position", json_of(camera.position)},
-            {"right", json_of(camera.right)},
-            {"up", json_of(camera.up)},
-            {"forward", json_of(camera.forward)},
-            {is_at_distance ? "tan_half_width" : "half_width", json_of(camera.tan_half_width)},
-            {is_at_distance ? "tan_half_height" : "half_height", json_of(camera.tan_half_height)},
-            {"lens_radius", json_of(camera.lens_radius)},
-            {"focal_distance", json_of(camera.focal_distance)},
-            {"clip_near", json_of(camera.clip_near)}};
-  if (camera.frame_center != Vec2{0, 0}) json["frame_center"] = json_of(camera.frame_center);
-  if (camera.aperture_blades > 0)
-    json["aperture"] = {{"blades", camera.aperture_blades}, {"turns", json_of(camera.aperture_turns)}};
-  if (std::isfinite(camera.clip_far)) json["clip_far"] = json_of(camera.clip_far);
-  json["clip_along"] = camera.clips_by_distance || is_panorama(camera.projection) ? "ray" : "forward";
-  return json;
 }
 
 /// Of a texture, of a material's model or of a light's source.
@@ -253,7 +234,7 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
   };
   return fmt::format("{{\n  \"format\": \"twinray scene\",\n  \"version\": {},\n  \"resolution\": [{},{}],\n",
                      version_of(scene), picture.width, picture.height) +
-         render_text(picture) + "  \"camera\": " + line(camera_json(camera)) +
+         render_text(picture) + "  \"camera\": " + line(exchange_camera_json(camera)) +
          (has_textures ? list("textures", textures_json(scene, path)) : "") +
          (scene.densities.empty() ? "" : list("densities", densities_json(scene, path))) +
          list("materials", materials_json(scene)) +

@@ -29,7 +29,7 @@ void name_camera_losses(const Camera& camera, const RenderDefaults::Resolution& 
   if (is_panorama(camera.projection))
     losses.add(
         fmt::format("the {} camera is a perspective one of 90 degrees", projection_name(camera.projection)));
-  if (camera.lens_radius > 0) losses.add("the camera's lens is a pinhole");
+  if (has_lens(camera)) losses.add("the camera's lens is a pinhole");
   if (camera.frame_center != Vec2{0, 0}) losses.add("the shift of the camera's frame is left out");
   if (dot(cross(camera.right, camera.up), camera.forward) > 0)
     losses.add("the camera shows the scene mirrored, which readers may not follow");

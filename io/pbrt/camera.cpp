@@ -115,12 +115,11 @@ void read_crop(const PbrtParameters& parameters, RenderDefaults& defaults, Warni
 }
 
 Projection projection_of(const std::string& type, const PbrtParameters& parameters) {
-  if (type == "perspective") return Projection::perspective;
+  if (type == "perspective" || type == "realistic") return Projection::perspective;
   if (type == "orthographic") return Projection::orthographic;
-  constexpr const char* valid = "valid are perspective, orthographic and spherical";
-  if (type == "realistic")
-    parameters.place().fail(fmt::format("the realistic camera is not rendered; {}", valid));
-  if (type != "spherical") parameters.place().fail(fmt::format("there is no camera \"{}\"; {}", type, valid));
+  if (type != "spherical")
+    parameters.place().fail(fmt::format(
+        "there is no camera \"{}\"; valid are perspective, orthographic, realistic and spherical", type));
   const std::string mapping = parameters.text("mapping", "equalarea");
   if (mapping == "equalarea") return Projection::equal_area;
   if (mapping == "equirectangular") return Projection::latitude_longitude;
@@ -145,11 +144,14 @@ PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters
   camera.is_given = true;
   camera.projection = projection_of(type, parameters);
   camera.place = parameters.place();
-  if (camera.projection == Projection::perspective)
+  if (type == "realistic") camera.lens = read_lens(parameters, context);
+  if (camera.projection == Projection::perspective && !camera.lens)
     camera.fov_degrees = parameters.real("fov", 90, {1e-3, 179.9});
-  camera.frame_aspect = parameters.real("frameaspectratio", 0, {1e-4, 1e4});
-  read_window(parameters, camera);
-  if (!is_panorama(camera.projection)) {
+  if (!camera.lens) {
+    camera.frame_aspect = parameters.real("frameaspectratio", 0, {1e-4, 1e4});
+    read_window(parameters, camera);
+  }
+  if (!is_panorama(camera.projection) && !camera.lens) {
     camera.lens_radius = parameters.real("lensradius", 0, {0, 1e12});
     camera.focal_distance = parameters.real("focaldistance", 1e6f, {1e-12, 1e30});
   }
@@ -175,6 +177,7 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
                               parameters.integer("yresolution", default_height, {1, most_side})};
   read_crop(parameters, film.defaults, context.warnings);
   film.iso = parameters.real("iso", 100, {1e-6, 1e9});
+  film.diagonal = parameters.real("diagonal", film.diagonal, {1e-3, 1e6});
   if (const std::string sensor = parameters.text("sensor", "cie1931"); sensor != "cie1931")
     parameters.find("sensor")->place.warn(
         context.warnings,
@@ -182,7 +185,7 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
   if (parameters.real("whitebalance", 0) != 0)
     parameters.find("whitebalance")->place.warn(context.warnings, "white balance is not rendered");
   for (const char* unused :
-       {"filename", "savefp16", "diagonal", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"})
+       {"filename", "savefp16", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"})
     parameters.find(unused);  // about files, sensors of other cameras and pbrt's own estimates
   if (std::isfinite(parameters.real("maxcomponentvalue", Aabb::infinity)))
     parameters.find("maxcomponentvalue")
@@ -305,6 +308,21 @@ void set_lens(const PbrtCamera& camera, const RenderDefaults& film, const Transf
   placed.focal_distance = camera.focal_distance * float(depth);
 }
 
+/// The lens system and its film, likewise.
+void set_lens_system(const PbrtCamera& camera, const PbrtFilm& film, const Transform& to_world,
+                     Camera& placed) {
+  const double scale = axis_length(to_world, 2), millimeter = scale / 1000;
+  const double half_diagonal = double(film.diagonal) * millimeter / 2, aspect = picture_aspect(film.defaults);
+  try {
+    placed.lenses = std::make_shared<const LensSystem>(made_lens(*camera.lens, scale, half_diagonal));
+  } catch (const Error& error) {
+    camera.place.fail(error.what());
+  }
+  const double half_height = half_diagonal / std::sqrt(1 + aspect * aspect);
+  placed.tan_half_height = float(half_height / placed.lenses->image_distance());
+  placed.tan_half_width = float(half_height * aspect / placed.lenses->image_distance());
+}
+
 /// Whether the transform makes width and height equally large.
 bool is_evenly_wide(const Transform& to_world) {
   const double width = axis_length(to_world, 0), height = axis_length(to_world, 1);
@@ -313,7 +331,7 @@ bool is_evenly_wide(const Transform& to_world) {
 
 }  // namespace
 
-Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context) {
+Camera place_camera(const PbrtCamera& camera, const PbrtFilm& film, PbrtContext& context) {
   const std::optional<Transform>& to_world = camera.to_world;
   if (!to_world) camera.place.fail("the transform of this camera flattens what it sees");
   Camera placed;
@@ -321,9 +339,11 @@ Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtCo
   set_axes(*to_world, camera.place, placed, context);
   if (is_panorama(camera.projection))
     placed = placed_panorama(placed, camera.projection);
+  else if (camera.lens)
+    set_lens_system(camera, film, *to_world, placed);
   else
-    set_lens(camera, film, *to_world, placed);
-  if (placed.lens_radius > 0 && !is_evenly_wide(*to_world))
+    set_lens(camera, film.defaults, *to_world, placed);
+  if (has_lens(placed) && !is_evenly_wide(*to_world))
     camera.place.warn(context.warnings, "the camera's lens stays round, which its transform stretches");
   placed.position = to_world->point({0, 0, 0});
   if (!is_finite(placed.position) || max_abs(placed.position) > max_coordinate)

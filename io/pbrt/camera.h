@@ -7,6 +7,7 @@
 #include "core/camera.h"
 #include "core/transform.h"
 #include "io/pbrt/context.h"
+#include "io/pbrt/lens_file.h"
 #include "io/pbrt/parameters.h"
 #include "io/render_defaults.h"
 
@@ -21,14 +22,19 @@ struct PbrtCamera {
   std::array<float, 4> window{};  ///< x and y from and to, in place of the frame's shape.
   bool has_window = false;
   float lens_radius = 0, focal_distance = 1e6f;
+  std::optional<PbrtLens> lens;  ///< Of a realistic camera.
   Shutter shutter{0, 1};
   std::optional<Transform> to_world;  ///< Nothing where it flattens.
   PbrtPlace place;
+
+  /// "perspective", "realistic"
+  std::string kind() const { return lens ? "realistic" : projection_name(projection); }
 };
 
 struct PbrtFilm {
   RenderDefaults defaults;
   float iso = 100;
+  float diagonal = 35;  ///< In millimeters, of a realistic camera's film.
 };
 
 /// But for its place.
@@ -44,7 +50,7 @@ void read_integrator(const std::string& type, const PbrtParameters& parameters, 
 void read_filter(const std::string& type, const PbrtParameters& parameters, RenderDefaults& defaults,
                  PbrtContext& context);
 
-/// The camera in the world. Throws Error where its transform flattens.
-Camera place_camera(const PbrtCamera& camera, const RenderDefaults& film, PbrtContext& context);
+/// The camera in the world. Throws Error where its transform flattens, or its lens makes nothing sharp.
+Camera place_camera(const PbrtCamera& camera, const PbrtFilm& film, PbrtContext& context);
 
 }  // namespace twinray

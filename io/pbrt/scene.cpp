@@ -50,10 +50,10 @@ class Reader {
     LoadedScene loaded = builder_.finish(float(camera_.shutter.length()) * film_.iso / 100);
     loaded.summary.unit_name.clear();
     loaded.defaults = film_.defaults;
-    loaded.scene.camera = camera_.is_given ? place_camera(camera_, film_.defaults, context_)
+    loaded.scene.camera = camera_.is_given ? place_camera(camera_, film_, context_)
                                            : default_camera(loaded.scene.geometry->bounds());
-    if (camera_.is_given) loaded.summary.camera = projection_name(camera_.projection);
-    if (camera_.is_given) loaded.summary.cameras.push_back(projection_name(camera_.projection));
+    if (camera_.is_given) loaded.summary.camera = camera_.kind();
+    if (camera_.is_given) loaded.summary.cameras.push_back(camera_.kind());
     if (const auto times = states_.times()) {
       loaded.summary.animation = AnimationSummary{times->first, times->second, context_.options.time, {}};
       if (!context_.options.time) loaded.summary.animation->shutter = camera_.shutter;

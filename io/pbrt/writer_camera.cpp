@@ -8,6 +8,7 @@
 
 #include "core/angle.h"
 #include "core/elementary.h"
+#include "io/output_file.h"
 #include "io/pbrt/text.h"
 #include "io/pbrt/transform.h"
 
@@ -76,7 +77,31 @@ Camera flat(const Camera& fisheye) {
   return camera;
 }
 
-std::string camera_text(const Camera& camera, const RenderDefaults::Resolution& size) {
+/// A lens file, of the camera's space in meters.
+std::string lens_text(const LensSystem& lens) {
+  std::string text = "# curvature radius, thickness, index of refraction, aperture diameter, in mm\n";
+  for (const LensSurface& s : lens.surfaces())
+    text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", s.curvature_radius * 1000, s.thickness * 1000, s.ior,
+                        s.aperture_radius * 2000);
+  return text;
+}
+
+/// pbrt moves the film to where the focus is. It makes all stops as wide as the camera says, or less.
+std::string realistic(const Camera& camera, SceneOutput& output) {
+  const LensSystem& lens = *camera.lenses;
+  double widest = 0;
+  for (const LensSurface& surface : lens.surfaces())
+    if (surface.curvature_radius == 0) widest = std::max(widest, 2000 * surface.aperture_radius);
+  const double focus = lens.focus_distance();
+  if (!(focus < 1e6)) output.losses.add("the camera's lens is focused at 1,000,000 units");
+  const auto write = [text = lens_text(lens)](const std::string& path) { write_file(path, text); };
+  return "Camera \"realistic\"" + pbrt_word("lensfile", output.add("-lens.dat", write)) +
+         pbrt_real("focusdistance", float(std::min(focus, 1e6))) +
+         (widest > 0 ? pbrt_real("aperturediameter", float(widest)) : "");
+}
+
+std::string camera_text(const Camera& camera, const RenderDefaults::Resolution& size, SceneOutput& output) {
+  if (camera.lenses) return realistic(camera, output);
   switch (camera.projection) {
     case Projection::orthographic:
       return "Camera \"orthographic\"" + window(camera, 1) + lens(camera);
@@ -96,16 +121,22 @@ void name_losses(const Camera& camera, Losses& losses) {
     losses.add("the fisheye camera is a perspective one, whose frame is as wide as far as a plane goes");
   if (camera.clip_near > 0 || std::isfinite(camera.clip_far))
     losses.add("the camera's clip distances are left out");
+  if (camera.lenses && camera.frame_center != Vec2{0, 0})
+    losses.add("the shift of the camera's frame is left out, for its lens has none in pbrt");
   if (camera.lens_radius > 0 && camera.aperture_blades > 0)
     losses.add("the blades of the camera's lens are left out: it is round");
 }
 
-std::string film_text(const SceneToWrite& input, const std::string& path) {
+std::string film_text(const SceneToWrite& input, const Camera& camera, const std::string& path) {
   const RenderDefaults::Resolution& size = *input.picture.resolution;
   const std::string name = name_of_file(path);
   std::string text = "Film \"rgb\"" + pbrt_integer("xresolution", size.width) +
                      pbrt_integer("yresolution", size.height) +
                      pbrt_word("filename", name.substr(0, name.rfind('.')) + ".exr");
+  if (camera.lenses)
+    text += pbrt_real("diagonal", float(2000 * camera.lenses->image_distance() *
+                                        std::sqrt(camera.tan_half_width * camera.tan_half_width +
+                                                  camera.tan_half_height * camera.tan_half_height)));
   if (input.picture.crop) {
     const auto& [x, y, width, height] = *input.picture.crop;
     text += fmt::format(" \"integer pixelbounds\" [ {} {} {} {} ]", x, x + width, y, y + height);
@@ -130,8 +161,9 @@ std::string pbrt_view(const SceneToWrite& input, SceneOutput& output) {
   const Camera camera = fit_frame(input.scene.camera, size.width, size.height);
   name_losses(camera, output.losses);
   const auto from_world = inverse(frame_of(camera));
-  std::string text = pbrt_transform(from_world.value_or(Transform{})) + camera_text(camera, size) + "\n";
-  text += film_text(input, output.path());
+  std::string text =
+      pbrt_transform(from_world.value_or(Transform{})) + camera_text(camera, size, output) + "\n";
+  text += film_text(input, camera, output.path());
   if (input.picture.samples)
     text += "Sampler \"zsobol\"" + pbrt_integer("pixelsamples", int(*input.picture.samples)) + "\n";
   text += "Integrator \"volpath\"";

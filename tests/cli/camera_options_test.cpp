@@ -8,12 +8,13 @@
 #include "core/error.h"
 #include "tests/support/arguments.h"
 #include "tests/support/catch.h"
+#include "tests/support/lens.h"
 
 namespace twinray::test {
 namespace {
 
 /// Looks along -z at a box in 9 to 11 in front of it.
-constexpr Camera ahead{.tan_half_width = 0.5f, .tan_half_height = 0.25f};
+const Camera ahead{.tan_half_width = 0.5f, .tan_half_height = 0.25f};
 const Aabb box_ahead{{-1, -1, -11}, {1, 1, -9}};
 
 std::string error_of(const CameraChanges& changes, const Camera& camera) {
@@ -148,6 +149,20 @@ TEST_CASE("a lens, its blades and its shift are those of the words") {
   CHECK(message_of({"--lens=0.1,0"}) == "--lens: what is in focus must lie at a distance of more than 0");
   CHECK(message_of({"--aperture-blades=2"}) == "--aperture-blades: \"2\" is not a whole number from 3 to 64");
   CHECK(message_of({"--lens-shift=1"}) == "--lens-shift: \"1\" is not two numbers A,B");
+}
+
+TEST_CASE("a lens or a projection replaces a lens system, and a shift moves its film") {
+  const Camera camera = camera_with_lens_system();
+  CameraChanges changes;
+  changes.shift = Vec2{0.25f, 0};
+  CHECK(changed(camera, changes, camera).lenses == camera.lenses);
+  CHECK(changed(camera, changes, camera).frame_center.x == Approx(0.5f * camera.tan_half_width));
+  changes.lens = Lens{0, 1};
+  CHECK(changed(camera, changes, camera).lenses == nullptr);
+  for (const AskedProjection& asked :
+       {AskedProjection{Projection::perspective, 40.0f}, AskedProjection{Projection::orthographic, 2.0f},
+        AskedProjection{Projection::fisheye, {}}})
+    CHECK(with_projection(camera, asked, box_ahead, 1).lenses == nullptr);
 }
 
 TEST_CASE("a panorama has no lens to change") {

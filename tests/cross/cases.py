@@ -5,7 +5,7 @@ import json
 from comparison import case, difference_of_films, passes, same_file
 
 SCENES = ("box.dae", "cornell-bunny.dae", "furnace.dae", "lights.dae", "spheres.dae", "films.pbrt",
-          "glow.pbrt", "hair.pbrt", "haze.pbrt", "layers.pbrt", "materials.pbrt", "motion.pbrt",
+          "glow.pbrt", "hair.pbrt", "haze.pbrt", "layers.pbrt", "lens.pbrt", "materials.pbrt", "motion.pbrt",
           "patterns.pbrt", "still-life.pbrt", "subsurface.pbrt")
 SIZE = ("-r", "64", "48", "-q")
 SMALL = ("-r", "32", "24", "-q")  # for many cases, each of which takes seconds to start

@@ -82,7 +82,7 @@ TEST_CASE("points of the pixel and of the lens are uniform, and independent of e
   constexpr float radius = 0.5f;
   for (const SamplerKind sampler : {SamplerKind::independent, SamplerKind::sobol}) {
     std::vector<std::size_t> counts(256);
-    for (const auto& [ray, key, cone, weight, interiors] :
+    for (const auto& [ray, key, cone, weight, light, interiors] :
          camera_samples(scene_with_lens(radius), 8192, sampler)) {
       const Vec2 seen = frame_point(ray), lens = polar(ray.origin.x / radius, ray.origin.y / radius);
       REQUIRE(lens.y <= 1 + 1e-6f);
@@ -97,14 +97,14 @@ TEST_CASE("points of the pixel and of the lens are uniform, and independent of e
 }
 
 TEST_CASE("a picture without a lens has all its rays from one point") {
-  for (const auto& [ray, key, cone, weight, interiors] :
+  for (const auto& [ray, key, cone, weight, light, interiors] :
        camera_samples(scene_with_lens(0), 16, SamplerKind::sobol))
     CHECK(ray.origin == Vec3{0, 0, 0});
 }
 
 TEST_CASE("a picture of one sample a pixel still uses the whole lens") {
   Aabb lens;
-  for (const auto& [ray, key, cone, weight, interiors] :
+  for (const auto& [ray, key, cone, weight, light, interiors] :
        camera_samples(scene_with_lens(1), 1, SamplerKind::independent)) {
     const Vec2 seen = frame_point(ray);
     CHECK(seen.x - float(key.x) == Approx(0.5).margin(1e-5));
@@ -150,7 +150,7 @@ TEST_CASE("samples lie around their pixel as its filter has it") {
   PixelFilter filter = usual_filter(FilterKind::triangle);
   filter.radius = {2, 1};
   std::vector<std::size_t> counts(64);
-  for (const auto& [ray, key, cone, weight, interiors] :
+  for (const auto& [ray, key, cone, weight, light, interiors] :
        camera_samples(scene_with_lens(0), 8192, SamplerKind::independent, filter)) {
     const Vec2 seen = frame_point(ray);
     // From the middle, as parts of the radius, through the integral of the tent: uniform.
@@ -193,7 +193,7 @@ TEST_CASE("a picture is its light under the filter, whatever its sign") {
 }
 
 TEST_CASE("the one sample of a pixel goes through its middle, whatever its filter") {
-  for (const auto& [ray, key, cone, weight, interiors] :
+  for (const auto& [ray, key, cone, weight, light, interiors] :
        camera_samples(scene_with_lens(0), 1, SamplerKind::sobol, usual_filter(FilterKind::mitchell))) {
     CHECK(frame_point(ray).x - float(key.x) == Approx(0.5).margin(1e-5));
     CHECK(weight == 1);

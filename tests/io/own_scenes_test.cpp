@@ -198,6 +198,14 @@ TEST_CASE("glow.pbrt shows a flame and two tubes, whose media emit light") {
   CHECK(hot == 1);
 }
 
+TEST_CASE("lens.pbrt is seen through a lens of eleven surfaces, with lamps far behind") {
+  const LoadedScene loaded = load("lens.pbrt");
+  CHECK(loaded.warnings.empty());
+  REQUIRE(loaded.scene.camera.lenses);
+  CHECK(loaded.scene.camera.lenses->surfaces().size() == 11);
+  CHECK(loaded.scene.lights.size() == 26);
+}
+
 TEST_CASE("hair.pbrt shows hair of three colours, in locks that are instances") {
   const LoadedScene loaded = load("hair.pbrt");
   CHECK(loaded.warnings.empty());

@@ -45,7 +45,7 @@ MUTANTS = [
            "for (const auto& row : transform.m)\n"
            "    rows.push_back({float(row[0]), float(row[1]), float(row[2]), float(row[3])});",
            "test_io", EXCHANGED),
-    Mutant("a camera in exchange form is fitted to its picture twice", "io/exchange/reader.cpp",
+    Mutant("a camera in exchange form is fitted to its picture twice", "io/exchange/camera.cpp",
            "std::nextafter(camera.tan_half_height, 0.0f)", "camera.tan_half_height", "test_io",
            "a camera in exchange form has the bits of its frame, whatever the shape of the picture"),
     Mutant("normals in exchange form are made unit vectors again", "io/exchange/reader.cpp",
