@@ -69,10 +69,11 @@ PictureNotes picture_notes(const RenderArguments& arguments, const std::vector<s
   const PixelRect window = window_of(options);
   ImageMetadata metadata = picture_metadata(arguments, words);
   metadata.emplace_back("twinray:inputs", input_text(inputs));
-  return {std::move(metadata),
-          {window.x0, window.y0, options.width, options.height,
-           camera_matrices(fit_frame(scene.camera, options.width, options.height))},
-          scene_names(scene, film_contents(options, scene))};
+  const ImageFrame frame{window.x0, window.y0, options.width, options.height,
+                         camera_matrices(fit_frame(scene.camera, options.width, options.height))};
+  if (window != PixelRect{0, 0, options.width, options.height})
+    metadata.emplace_back(frame_key, frame_value(frame));
+  return {std::move(metadata), frame, scene_names(scene, film_contents(options, scene))};
 }
 
 std::set<std::string> engines_in(const std::string& names) {

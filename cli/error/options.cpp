@@ -109,8 +109,11 @@ void read_sets(const RenderRequest& common, const Words& given, const Words& set
     arguments.sets.push_back(std::move(set));
   }
   if (arguments.sets.empty()) arguments.sets.push_back(arguments.common);
-  for (const error::OptionSet& set : arguments.sets)
+  for (const error::OptionSet& set : arguments.sets) {
     if (set.arguments.check_with) throw UsageError("--accel=check goes with render; error takes one engine");
+    if (set.arguments.convert_textures)
+      throw UsageError("--convert-textures goes with render; what renders nothing has no error");
+  }
 }
 
 std::uint32_t usual_reference_samples(std::uint32_t most) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "io/default_camera.h"
 #include "io/gzip.h"
@@ -18,6 +19,7 @@ using enum PbrtDirective;
 
 constexpr std::array before_world{accelerator,  camera,  film,           integrator,
                                   pixel_filter, sampler, transform_times};
+constexpr std::array of_picture{camera, film, integrator, pixel_filter, sampler};
 constexpr std::array within_world{
     area_light_source, attribute_begin, attribute_end, light_source,    make_named_material, material,
     named_material,    object_begin,    object_end,    object_instance, reverse_orientation, shape,
@@ -45,8 +47,10 @@ class Reader {
     take_world(statement);
   }
 
-  LoadedScene finish() {
+  /// At the end of the file.
+  LoadedScene finish(const PbrtPlace& end) {
     states_.check_ended();
+    if (!is_world_) end.fail("the file ends before WorldBegin: it describes no scene");
     LoadedScene loaded = builder_.finish(float(camera_.shutter.length()) * film_.iso / 100);
     loaded.summary.unit_name.clear();
     loaded.defaults = film_.defaults;
@@ -121,9 +125,21 @@ class Reader {
     states_.now().color_space = *space;
   }
 
+  /// Of the statements about the picture the last one of a kind counts.
+  void note_again(const PbrtStatement& statement) {
+    const auto [entry, is_new] = views_.try_emplace(statement.directive, statement.place);
+    if (is_new) return;
+    statement.place.warn(
+        context_.warnings,
+        fmt::format("a further {}: it replaces that of line {}{}", statement.name, entry->second.line,
+                    entry->second.file == statement.place.file ? "" : " of " + entry->second.file->name));
+    entry->second = statement.place;
+  }
+
   /// Statements about the picture.
   bool take_view(const PbrtStatement& statement) {
     const PbrtParameters& parameters = statement.parameters;
+    if (is_among(statement.directive, of_picture)) note_again(statement);
     switch (statement.directive) {
       case camera:
         camera_ = read_camera(statement.words[0], parameters, context_);
@@ -216,6 +232,7 @@ class Reader {
   PbrtStates states_;
   PbrtCamera camera_;
   PbrtFilm film_{.defaults = {.filter = usual_filter(FilterKind::gaussian)}};  ///< pbrt's own filter.
+  std::map<PbrtDirective, PbrtPlace> views_;  ///< Where the last statement of each kind stands.
   const std::string none_;
   bool is_world_ = false;
 };
@@ -229,7 +246,7 @@ LoadedScene read_pbrt(std::string text, const std::string& name, const LoadOptio
   Reader reader(context);
   PbrtStatement statement;
   while (parser.next(statement)) reader.take(statement);
-  LoadedScene loaded = reader.finish();
+  LoadedScene loaded = reader.finish(statement.place);
   loaded.warnings = context.warnings.items();
   loaded.summary.notes = std::move(context.notes);
   return loaded;

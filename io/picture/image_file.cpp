@@ -326,7 +326,8 @@ ImageMetadata read_metadata(const std::string& path) {
 }
 
 std::optional<ImageFrame> read_frame(const std::string& path) {
-  if (format_of_file(path) != PictureFormat::exr) return std::nullopt;
+  if (format_of_file(path) != PictureFormat::exr)
+    return frame_of_value(value_of(read_metadata(path), frame_key));
   const std::string bytes = read_bytes(path);
   const PictureBytes picture{bytes, path};
   check_picture_header(PictureFormat::exr, picture);

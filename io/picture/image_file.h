@@ -68,8 +68,8 @@ std::string unread_parts(std::string_view bytes, const std::string& name);
 /// The texts beside the pixels of an EXR, HDR, PNG or JPEG picture; none of other formats. Throws Error.
 ImageMetadata read_metadata(const std::string& path);
 
-/// Where the pixels of an EXR picture lie in their frame; nothing for other formats, whose pictures are whole
-/// frames. Throws Error.
+/// Where the pixels of a picture lie in their frame, by an EXR's windows or the metadata of a PNG;
+/// nothing where it does not say. Throws Error.
 std::optional<ImageFrame> read_frame(const std::string& path);
 
 /// The channel of that name of an EXR picture ("variance.Y"), row by row; empty where the picture has none,

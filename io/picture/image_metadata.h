@@ -34,4 +34,10 @@ struct ImageFrame {
   std::optional<CameraMatrices> camera = {};  ///< Kept in an EXR, if it is known.
 };
 
+/// The metadata by which a picture without windows says of what frame it is a part: x, y, width and height.
+inline constexpr const char* frame_key = "twinray:frame";
+std::string frame_value(const ImageFrame& frame);
+/// Of such a value; nothing where it is none.
+std::optional<ImageFrame> frame_of_value(const std::string& value);
+
 }  // namespace twinray

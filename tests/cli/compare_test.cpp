@@ -102,6 +102,30 @@ TEST_CASE("a picture of radiance against one of a display is compared as a displ
   CHECK(line_of(result.out, "mean squared error") == "0 0 0 0");
 }
 
+TEST_CASE("parts of a frame that are others are not compared, in PNG either") {
+  const TemporaryFolder folder;
+  const auto render = [&](const std::string& name, const std::string& options) {
+    const ProcessResult made =
+        run_program(quoted(TWINRAY_SOURCE_DIR "/scenes/box.dae") + " -q -s 1 -r 40 30 " + options + " -o " +
+                    quoted(folder.file(name)));
+    REQUIRE(made.exit_code == 0);
+  };
+  render("a.png", "--crop 5 5 20 10");
+  render("b.png", "--crop 6 5 20 10");
+  render("b.exr", "--crop 6 5 20 10");
+  render("whole.png", "-r 20 10");
+  const auto compared = [&](const std::string& a, const std::string& b) {
+    return run_program("compare -q " + quoted(folder.file(a)) + " " + quoted(folder.file(b)));
+  };
+  for (const char* other : {"b.png", "b.exr"}) {
+    const ProcessResult result = compared("a.png", other);
+    CHECK(result.exit_code == 1);
+    CHECK(contains(result.err, "a.png shows x 5 to 25, y 5 to 15 of 40 x 30 pixels"));
+  }
+  CHECK(compared("b.png", "b.exr").exit_code == 0);
+  CHECK(compared("a.png", "whole.png").exit_code == 0);  // That says nothing of parts.
+}
+
 TEST_CASE("compare says that pictures are equal, and lists no tiles") {
   const Pair pair(".exr");
   const ProcessResult result =

@@ -109,6 +109,9 @@ TEST_CASE("wrong command lines of error are refused with what would be valid") {
       {"--converge --settings 'a: --seed=3'",
        "--settings \"a\": the pictures of all settings have the same seeds: --seed of error"},
       {"--converge --settings 'a: --accel=check'", "--accel=check goes with render; error takes one engine"},
+      {"--converge --convert-textures",
+       "--convert-textures goes with render; what renders nothing has no error"},
+      {"--converge --settings 'a: --convert-textures'", "--convert-textures goes with render"},
   };
   for (const auto& [options, message] : wrong) {
     CAPTURE(options);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/catch.h"
+#include "tests/support/lens.h"
 
 namespace twinray {
 namespace {
@@ -52,6 +53,29 @@ TEST_CASE("the frame's corners are the field of view's, the top left first") {
   CHECK(dot(ray.direction, camera.right) == Approx(-0.6).epsilon(rounding));
   CHECK(dot(ray.direction, camera.up) == Approx(0.3).epsilon(rounding));
   CHECK(camera_ray(camera, {0.5f, 0.5f}, {}).direction == camera.forward);
+}
+
+TEST_CASE("rays of a lens system count depths as others do, or distances") {
+  Camera camera = tilted();
+  camera.lenses = test::camera_with_lens_system().lenses;
+  camera.clip_near = 2;
+  camera.clip_far = 9;
+  const LensRay deep = lens_ray(camera, {0.4f, 0.6f}, {0.5f, 0.5f});
+  CHECK(deep.light > 0);
+  CHECK(dot(deep.ray.direction, camera.forward) == Approx(1).epsilon(rounding));
+  CHECK(deep.ray.t_min == 2);
+  CHECK(deep.ray.t_max == 9);
+  camera.clips_by_distance = true;
+  CHECK(length(lens_ray(camera, {0.4f, 0.6f}, {0.5f, 0.5f}).ray.direction) == Approx(1).epsilon(rounding));
+}
+
+TEST_CASE("a ray that a lens system stops is that of a pinhole, without light") {
+  Camera camera = tilted();
+  camera.lenses = test::camera_with_lens_system().lenses;
+  const Vec2 corner_of_pupil{0, 0};
+  const LensRay stopped = lens_ray(camera, {0.4f, 0.6f}, corner_of_pupil);
+  CHECK(stopped.light == 0);
+  CHECK(stopped.ray.direction == camera_ray(camera, {0.4f, 0.6f}, {}).direction);
 }
 
 TEST_CASE("t counts depth, so clipping is by planes across the view") {

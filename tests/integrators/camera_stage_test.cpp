@@ -6,6 +6,7 @@
 #include "core/instruction_sets.h"
 #include "integrators/wave/camera_stage.h"
 #include "tests/support/catch.h"
+#include "tests/support/lens.h"
 #include "tests/support/scenes.h"
 
 namespace twinray::test {
@@ -28,7 +29,10 @@ std::vector<Camera> cameras() {
   pentagon.aperture_blades = 5;
   by_distance.clips_by_distance = true;
   parallel.projection = Projection::orthographic;
-  return {pinhole, lens, pentagon, by_distance, parallel, with_panorama(pinhole, Projection::fisheye, 1)};
+  Camera glass = pinhole;
+  glass.lenses = camera_with_lens_system().lenses;
+  return {
+      pinhole, lens, pentagon, by_distance, parallel, glass, with_panorama(pinhole, Projection::fisheye, 1)};
 }
 
 void require_same(const CameraSample& found, const CameraSample& expected) {
@@ -40,6 +44,7 @@ void require_same(const CameraSample& found, const CameraSample& expected) {
   REQUIRE(found.key.y == expected.key.y);
   REQUIRE(found.key.index == expected.key.index);
   REQUIRE(found.weight == expected.weight);
+  REQUIRE(found.light == expected.light);
   REQUIRE(found.cone.width == expected.cone.width);
   REQUIRE(found.cone.spread == expected.cone.spread);
 }

@@ -89,7 +89,8 @@ MUTANTS = [
     Mutant("written lenses are focused at ten meters", "io/pbrt/writer_camera.cpp",
            "float(std::min(focus, 1e6))", "10.0f", "test_io", TRIP),
     Mutant("written films have no diagonal", "io/pbrt/writer_camera.cpp",
-           "  if (camera.lenses)\n    text += pbrt_real", "  if (false)\n    text += pbrt_real", "test_io", TRIP),
+           "  if (camera.lenses)\n    text += pbrt_real", "  if (false)\n    text += pbrt_real",
+           "test_io", TRIP),
     Mutant("a thin lens stands beside a lens system", "cli/camera_changes.cpp",
            "    made.lenses = nullptr;\n", "", "test_cli", CHANGED),
 ]

@@ -260,6 +260,27 @@ TEST_CASE("a spherical camera gives pbrt's picture: its first column looks to th
   }
 }
 
+TEST_CASE("a file that ends before its world describes no scene") {
+  for (const std::string text : {"", "# nothing", "Camera \"perspective\"\nFilm \"rgb\"\n"})
+    CHECK(message_of(text).find("the file ends before WorldBegin: it describes no scene") !=
+          std::string::npos);
+  CHECK(message_of("Camera \"perspective\"\n").starts_with("scene.pbrt:2:1: "));
+  CHECK(message_of("WorldBegin").empty());
+}
+
+TEST_CASE("of two statements about the picture the second one counts, with a warning") {
+  const LoadedScene loaded = load_pbrt_text(
+      "Film \"rgb\" \"integer xresolution\" 10\nFilm \"rgb\" \"integer xresolution\" 20\n"
+      "Camera \"orthographic\"\nCamera \"perspective\"\nSampler \"sobol\"\nAccelerator \"bvh\" Accelerator "
+      "\"bvh\"\n"
+      "WorldBegin");
+  CHECK(loaded.defaults.resolution->width == 20);
+  CHECK(loaded.scene.camera.projection == Projection::perspective);
+  REQUIRE(loaded.warnings.size() == 2);
+  CHECK(loaded.warnings[0].message == "a further Film: it replaces that of line 1");
+  CHECK(loaded.warnings[1].message == "a further Camera: it replaces that of line 3");
+}
+
 TEST_CASE("cameras that are not rendered are refused in plain words") {
   const std::string valid = "; valid are perspective, orthographic, realistic and spherical";
   CHECK(message_of("Camera \"round\"").starts_with("scene.pbrt:1:1: there is no camera \"round\"" + valid));

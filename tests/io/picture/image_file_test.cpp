@@ -149,6 +149,19 @@ TEST_CASE("a part of a frame is an EXR's data window, and the frame its display 
   CHECK(exr_window(folder.file("b.exr"), "displayWindow") == std::array{0, 0, 4, 2});
 }
 
+TEST_CASE("a PNG says of what frame it is a part, if its metadata do") {
+  const TemporaryFolder folder;
+  const ByteImage image = encode_srgb(gradient());
+  write_png(folder.file("part.png"), image, {{frame_key, frame_value({-7, 9, 100, 50})}});
+  const auto frame = read_frame(folder.file("part.png"));
+  REQUIRE(frame);
+  CHECK(std::array{frame->x, frame->y, frame->width, frame->height} == std::array{-7, 9, 100, 50});
+  write_png(folder.file("whole.png"), image);
+  CHECK(!read_frame(folder.file("whole.png")));
+  for (const char* wrong : {"", "1 2 3", "1 2 3 4 5", "1 2 0 4", "1 2 3 four", "nan 2 3 4", "1e9 2 3 4"})
+    CHECK(!frame_of_value(wrong));
+}
+
 TEST_CASE("an EXR holds channels of any names, in 16 bits and in 32") {
   const TemporaryFolder folder;
   const auto fill_row = [](int y, std::span<float> values) {
