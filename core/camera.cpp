@@ -94,11 +94,12 @@ LensRay lens_system_ray(const Camera& camera, Vec2 frame, Vec2 u) {
   const auto in_world = [&](const Vec3& v) {
     return camera.right * v.x + camera.up * v.y + camera.forward * v.z;
   };
-  // Its length along `forward` is 1 where it has one.
-  const float unit = camera.clips_by_distance || !(sight.direction.z > 0) ? 1 : sight.direction.z;
-  return {{.origin = camera.position + in_world(sight.origin),
+  // So t counts depth from the film, or distance from that plane; what lies before the lens is not seen.
+  const float forward = sight.direction.z, unit = camera.clips_by_distance ? 1 : forward;
+  if (!(forward > 0)) return {{}, 0};
+  return {{.origin = camera.position + in_world(sight.origin - sight.direction * (sight.origin.z / forward)),
            .direction = in_world(sight.direction) / unit,
-           .t_min = camera.clip_near,
+           .t_min = std::max(camera.clip_near, sight.origin.z / forward * unit),
            .t_max = camera.clip_far},
           sight.light};
 }

@@ -5,6 +5,8 @@
 //
 // Its own space: the film lies in the plane z = 0 around the axis, and the scene is where z is large.
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/vec.h"
@@ -13,12 +15,14 @@ namespace twinray {
 
 /// A surface around the axis, as tables of lenses list them: the first one is nearest to the scene.
 struct LensSurface {
-  /// Positive where the surface bulges towards the scene, negative where it is hollow; 0: a flat stop.
+  /// Positive where the surface bulges towards the scene, negative where it is hollow; 0: flat. A flat one
+  /// with the same on both sides is a stop.
   double curvature_radius = 0;
   double thickness = 0;        ///< Along the axis to the next surface; of the last one to the film; >= 0.
   double ior = 1;              ///< Of what fills that; 0 or 1: air.
   double aperture_radius = 0;  ///< Light passes no farther from the axis; > 0.
 
+  double index() const { return ior == 0 ? 1 : ior; }
   bool operator==(const LensSurface&) const = default;
 };
 
@@ -35,6 +39,12 @@ CardinalPoints cardinal_points(const std::vector<LensSurface>& surfaces);
 /// Error where that is too near.
 std::vector<LensSurface> focused(std::vector<LensSurface> surfaces, double distance);
 
+/// Of surface i: what is before it, towards the scene.
+double ior_before(const std::vector<LensSurface>& surfaces, std::size_t i);
+inline bool is_stop(const std::vector<LensSurface>& surfaces, std::size_t i) {
+  return surfaces[i].curvature_radius == 0 && surfaces[i].index() == ior_before(surfaces, i);
+}
+
 class LensSystem {
  public:
   /// No lens has more surfaces.
@@ -46,10 +56,11 @@ class LensSystem {
 
   const std::vector<LensSurface>& surfaces() const { return surfaces_; }
   double film_radius() const { return film_radius_; }
+  double focal_length() const { return points_.focal_length; }
   /// Between the film and the rear principal plane: a pinhole so far from the film sees what the lens does.
-  double image_distance() const { return image_distance_; }
-  /// Between the film and what is sharp on it: focused() of that distance is this lens. Infinite where no
-  /// plane before the lens is.
+  double image_distance() const { return surfaces_.back().thickness - points_.rear_principal; }
+  /// Between the film and what is sharp on it. focused() of that distance is this lens where the image
+  /// distance is up to twice the focal length. Infinite where no plane before the lens is sharp.
   double focus_distance() const;
 
   /// A ray that has left the lens.
@@ -64,19 +75,24 @@ class LensSystem {
 
  private:
   struct Line;
-  /// A rectangle of the plane through the last surface's vertex, where x points away from the axis.
+  /// A rectangle of the pupil's plane, where x points away from the axis, that is as high below it as above.
   struct Bounds {
-    double x0, y0, x1, y1;
+    double x0, x1, y1;
+
+    void extend(const Bounds& other);
   };
 
-  bool trace(Line& line) const;
-  bool reaches(double film, double x, double y) const;
+  double widest(Line& line, double most) const;
+  double widest_by_way_of(double film, double x, double y) const;
+  /// Holds the pupil of a film point for certain.
+  Bounds rim(double film) const;
+  std::optional<double> find_pupil(double film) const;
   Bounds pupil_at(double film) const;
-  double rear() const { return surfaces_.back().thickness; }
 
   std::vector<LensSurface> surfaces_;
-  double film_radius_, image_distance_;
-  Bounds all_;                 ///< Holds every pupil.
+  double film_radius_;
+  CardinalPoints points_;
+  double plane_ = 0;  ///< Where pupils are bounded: nothing of the last surface lies nearer to the film.
   std::vector<Bounds> pupil_;  ///< By even parts of the film's radius.
 };
 

@@ -145,13 +145,13 @@ PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters
   camera.projection = projection_of(type, parameters);
   camera.place = parameters.place();
   if (type == "realistic") camera.lens = read_lens(parameters, context);
-  if (camera.projection == Projection::perspective && !camera.lens)
+  if (camera.projection == Projection::perspective && camera.lens.empty())
     camera.fov_degrees = parameters.real("fov", 90, {1e-3, 179.9});
-  if (!camera.lens) {
+  if (camera.lens.empty()) {
     camera.frame_aspect = parameters.real("frameaspectratio", 0, {1e-4, 1e4});
     read_window(parameters, camera);
   }
-  if (!is_panorama(camera.projection) && !camera.lens) {
+  if (!is_panorama(camera.projection) && camera.lens.empty()) {
     camera.lens_radius = parameters.real("lensradius", 0, {0, 1e12});
     camera.focal_distance = parameters.real("focaldistance", 1e6f, {1e-12, 1e30});
   }
@@ -311,14 +311,14 @@ void set_lens(const PbrtCamera& camera, const RenderDefaults& film, const Transf
 /// The lens system and its film, likewise.
 void set_lens_system(const PbrtCamera& camera, const PbrtFilm& film, const Transform& to_world,
                      Camera& placed) {
-  const double scale = axis_length(to_world, 2), millimeter = scale / 1000;
-  const double half_diagonal = double(film.diagonal) * millimeter / 2, aspect = picture_aspect(film.defaults);
+  const double millimeter = axis_length(to_world, 2) / 1000, half_diagonal = double(film.diagonal) / 2;
+  const double aspect = picture_aspect(film.defaults);
   try {
-    placed.lenses = std::make_shared<const LensSystem>(made_lens(*camera.lens, scale, half_diagonal));
+    placed.lenses = std::make_shared<const LensSystem>(scaled_lens(camera.lens, half_diagonal, millimeter));
   } catch (const Error& error) {
     camera.place.fail(error.what());
   }
-  const double half_height = half_diagonal / std::sqrt(1 + aspect * aspect);
+  const double half_height = half_diagonal * millimeter / std::sqrt(1 + aspect * aspect);
   placed.tan_half_height = float(half_height / placed.lenses->image_distance());
   placed.tan_half_width = float(half_height * aspect / placed.lenses->image_distance());
 }
@@ -327,6 +327,12 @@ void set_lens_system(const PbrtCamera& camera, const PbrtFilm& film, const Trans
 bool is_evenly_wide(const Transform& to_world) {
   const double width = axis_length(to_world, 0), height = axis_length(to_world, 1);
   return std::fabs(width - height) <= 1e-5 * width;
+}
+
+/// Whether it makes depth and height equally large.
+bool is_as_deep(const Transform& to_world) {
+  const double depth = axis_length(to_world, 2), height = axis_length(to_world, 1);
+  return std::fabs(depth - height) <= 1e-5 * depth;
 }
 
 }  // namespace
@@ -339,12 +345,16 @@ Camera place_camera(const PbrtCamera& camera, const PbrtFilm& film, PbrtContext&
   set_axes(*to_world, camera.place, placed, context);
   if (is_panorama(camera.projection))
     placed = placed_panorama(placed, camera.projection);
-  else if (camera.lens)
+  else if (!camera.lens.empty())
     set_lens_system(camera, film, *to_world, placed);
   else
     set_lens(camera, film.defaults, *to_world, placed);
-  if (has_lens(placed) && !is_evenly_wide(*to_world))
+  if (placed.lens_radius > 0 && !is_evenly_wide(*to_world))
     camera.place.warn(context.warnings, "the camera's lens stays round, which its transform stretches");
+  if (placed.lenses && !(is_evenly_wide(*to_world) && is_as_deep(*to_world)))
+    camera.place.warn(context.warnings,
+                      "the camera's transform scales its axes differently: its lens and film have the scale "
+                      "of the view's axis");
   placed.position = to_world->point({0, 0, 0});
   if (!is_finite(placed.position) || max_abs(placed.position) > max_coordinate)
     camera.place.fail("the transform of this camera puts it too far away");

@@ -22,13 +22,13 @@ struct PbrtCamera {
   std::array<float, 4> window{};  ///< x and y from and to, in place of the frame's shape.
   bool has_window = false;
   float lens_radius = 0, focal_distance = 1e6f;
-  std::optional<PbrtLens> lens;  ///< Of a realistic camera.
+  std::vector<LensSurface> lens;  ///< Of a realistic camera, in millimeters; of others none.
   Shutter shutter{0, 1};
   std::optional<Transform> to_world;  ///< Nothing where it flattens.
   PbrtPlace place;
 
   /// "perspective", "realistic"
-  std::string kind() const { return lens ? "realistic" : projection_name(projection); }
+  std::string kind() const { return lens.empty() ? projection_name(projection) : "realistic"; }
 };
 
 struct PbrtFilm {

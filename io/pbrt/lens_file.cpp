@@ -15,6 +15,16 @@ namespace {
 /// Lens files are in millimeters, the camera's space in meters.
 constexpr double meter = 1000;
 
+/// What `make` makes, in millimeters; where it throws Error, this place is named.
+template <typename Make>
+auto failing_at(const PbrtPlace& place, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    place.fail(fmt::format("{} (in millimeters)", error.what()));
+  }
+}
+
 /// A line for each surface: its curvature radius, thickness, index of refraction and aperture's diameter.
 std::vector<LensSurface> parse_lens(const PbrtFile& file) {
   constexpr std::size_t columns = 4;
@@ -38,42 +48,56 @@ std::vector<LensSurface> parse_lens(const PbrtFile& file) {
 
 /// No wider than the file has it.
 void set_stop(const PbrtParameters& parameters, std::vector<LensSurface>& surfaces, WarningList& warnings) {
-  const auto diameter = double(parameters.real("aperturediameter", 1, {1e-6, 1e6}));
-  for (LensSurface& surface : surfaces) {
-    if (surface.curvature_radius != 0) continue;
+  const auto diameter = double(parameters.real("aperturediameter", 1, {0.01, 1e6}));
+  bool has_stop = false;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    LensSurface& surface = surfaces[i];
+    if (!is_stop(surfaces, i)) {
+      if (surface.curvature_radius == 0)
+        parameters.place().warn(
+            warnings, fmt::format("surface {} of this lens is flat and divides glass from something "
+                                  "else: it refracts here, and is a stop in pbrt",
+                                  i + 1));
+      continue;
+    }
+    has_stop = true;
     if (float(diameter / 2) > float(surface.aperture_radius))
       parameters.place().warn(
           warnings, fmt::format("an aperture of {:g} mm is wider than this lens allows: it is {:g} mm",
                                 diameter, 2 * surface.aperture_radius));
     surface.aperture_radius = std::min(surface.aperture_radius, diameter / 2);
   }
+  const PbrtParameter* const given = parameters.find("aperturediameter");
+  if (given && !has_stop)
+    given->place.warn(warnings, "this lens has no stop: \"aperturediameter\" changes nothing");
 }
 
 }  // namespace
 
-PbrtLens read_lens(const PbrtParameters& parameters, PbrtContext& context) {
+std::vector<LensSurface> read_lens(const PbrtParameters& parameters, PbrtContext& context) {
   const PbrtParameter* const named = parameters.find("lensfile");
   const std::string name = parameters.text("lensfile", "");
   if (name.empty()) parameters.place().fail("a realistic camera needs its lens, \"string lensfile\"");
   const std::string path = context.files.path(named->place, name);
   const PbrtFile file{path, context.files.bytes(named->place, path)};
-  PbrtLens lens{parse_lens(file), parameters.real("focusdistance", 10, {1e-6, 1e12})};
-  set_stop(parameters, lens.surfaces, context.warnings);
+  std::vector<LensSurface> surfaces = parse_lens(file);
+  failing_at(PbrtPlace{&file}, [&] { cardinal_points(surfaces); });
+  set_stop(parameters, surfaces, context.warnings);
   if (const std::string shape = parameters.text("aperture", "circular");
       !shape.empty() && shape != "circular")
     parameters.find("aperture")
         ->place.warn(context.warnings,
                      fmt::format("an aperture of the shape \"{}\" is not rendered: it is round", shape));
-  return lens;
+  const auto focus = double(parameters.real("focusdistance", 10, {1e-6, 1e12}));
+  return failing_at(parameters.place(), [&] { return focused(std::move(surfaces), focus * meter); });
 }
 
-LensSystem made_lens(const PbrtLens& lens, double scale, double film_radius) {
-  std::vector<LensSurface> surfaces = lens.surfaces;
+LensSystem scaled_lens(std::vector<LensSurface> surfaces, double film_radius, double scale) {
   for (LensSurface& surface : surfaces)
     for (double LensSurface::*length :
          {&LensSurface::curvature_radius, &LensSurface::thickness, &LensSurface::aperture_radius})
-      surface.*length *= scale / meter;
-  return LensSystem(focused(std::move(surfaces), double(lens.focus_distance) * scale), film_radius);
+      surface.*length *= scale;
+  return LensSystem(std::move(surfaces), film_radius * scale);
 }
 
 }  // namespace twinray

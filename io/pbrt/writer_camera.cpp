@@ -77,27 +77,45 @@ Camera flat(const Camera& fisheye) {
   return camera;
 }
 
-/// A lens file, of the camera's space in meters.
-std::string lens_text(const LensSystem& lens) {
+/// How long one unit of a lens system's camera space is in the scene: 1, or as much as makes a film of other
+/// than usual sizes one of 35 mm.
+double lens_unit(const Camera& camera) {
+  if (!camera.lenses) return 1;
+  constexpr double usual = 0.035, least = 1e-3, most = 1;
+  const double diagonal = 2 * camera.lenses->film_radius();
+  return diagonal >= least && diagonal <= most ? 1 : diagonal / usual;
+}
+
+/// In the scene.
+double film_diagonal(const Camera& camera) {
+  const auto width = double(camera.tan_half_width), height = double(camera.tan_half_height);
+  return 2 * camera.lenses->image_distance() * std::sqrt(width * width + height * height);
+}
+
+/// A lens file, by how many millimeters a unit of the scene is long.
+std::string lens_text(const LensSystem& lens, double millimeters) {
   std::string text = "# curvature radius, thickness, index of refraction, aperture diameter, in mm\n";
   for (const LensSurface& s : lens.surfaces())
-    text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", s.curvature_radius * 1000, s.thickness * 1000, s.ior,
-                        s.aperture_radius * 2000);
+    text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", s.curvature_radius * millimeters,
+                        s.thickness * millimeters, s.ior, 2 * s.aperture_radius * millimeters);
   return text;
 }
 
 /// pbrt moves the film to where the focus is. It makes all stops as wide as the camera says, or less.
 std::string realistic(const Camera& camera, SceneOutput& output) {
   const LensSystem& lens = *camera.lenses;
+  const double unit = lens_unit(camera), millimeters = 1000 / unit;
   double widest = 0;
-  for (const LensSurface& surface : lens.surfaces())
-    if (surface.curvature_radius == 0) widest = std::max(widest, 2000 * surface.aperture_radius);
-  const double focus = lens.focus_distance();
-  if (!(focus < 1e6)) output.losses.add("the camera's lens is focused at 1,000,000 units");
-  const auto write = [text = lens_text(lens)](const std::string& path) { write_file(path, text); };
+  for (std::size_t i = 0; i < lens.surfaces().size(); ++i)
+    if (is_stop(lens.surfaces(), i)) widest = std::max(widest, lens.surfaces()[i].aperture_radius);
+  constexpr double farthest = 1e6;
+  const double focus = std::min(lens.focus_distance() / unit, farthest);
+  const auto write = [text = lens_text(lens, millimeters)](const std::string& path) {
+    write_file(path, text);
+  };
   return "Camera \"realistic\"" + pbrt_word("lensfile", output.add("-lens.dat", write)) +
-         pbrt_real("focusdistance", float(std::min(focus, 1e6))) +
-         (widest > 0 ? pbrt_real("aperturediameter", float(widest)) : "");
+         pbrt_real("focusdistance", float(focus)) +
+         (widest > 0 ? pbrt_real("aperturediameter", float(2 * widest * millimeters)) : "");
 }
 
 std::string camera_text(const Camera& camera, const RenderDefaults::Resolution& size, SceneOutput& output) {
@@ -116,13 +134,23 @@ std::string camera_text(const Camera& camera, const RenderDefaults::Resolution& 
   }
 }
 
-void name_losses(const Camera& camera, Losses& losses) {
+void name_lens_losses(const Camera& camera, const RenderDefaults::Resolution& size, Losses& losses) {
+  const LensSystem& lens = *camera.lenses;
+  if (camera.frame_center != Vec2{0, 0})
+    losses.add("the shift of the camera's frame is left out, for its lens has none in pbrt");
+  if (!has_aspect(camera, size))
+    losses.add("the camera's pixels become square, for its film has no others in pbrt");
+  // Of two places at which the film is sharp pbrt takes the nearer one.
+  if (lens.image_distance() > 2 * lens.focal_length() || !std::isfinite(lens.focus_distance()))
+    losses.add("the camera's film is moved, for pbrt cannot have it where it is");
+}
+
+void name_losses(const Camera& camera, const RenderDefaults::Resolution& size, Losses& losses) {
   if (camera.projection == Projection::fisheye)
     losses.add("the fisheye camera is a perspective one, whose frame is as wide as far as a plane goes");
   if (camera.clip_near > 0 || std::isfinite(camera.clip_far))
     losses.add("the camera's clip distances are left out");
-  if (camera.lenses && camera.frame_center != Vec2{0, 0})
-    losses.add("the shift of the camera's frame is left out, for its lens has none in pbrt");
+  if (camera.lenses) name_lens_losses(camera, size, losses);
   if (camera.lens_radius > 0 && camera.aperture_blades > 0)
     losses.add("the blades of the camera's lens are left out: it is round");
 }
@@ -133,10 +161,7 @@ std::string film_text(const SceneToWrite& input, const Camera& camera, const std
   std::string text = "Film \"rgb\"" + pbrt_integer("xresolution", size.width) +
                      pbrt_integer("yresolution", size.height) +
                      pbrt_word("filename", name.substr(0, name.rfind('.')) + ".exr");
-  if (camera.lenses)
-    text += pbrt_real("diagonal", float(2000 * camera.lenses->image_distance() *
-                                        std::sqrt(camera.tan_half_width * camera.tan_half_width +
-                                                  camera.tan_half_height * camera.tan_half_height)));
+  if (camera.lenses) text += pbrt_real("diagonal", float(1000 / lens_unit(camera) * film_diagonal(camera)));
   if (input.picture.crop) {
     const auto& [x, y, width, height] = *input.picture.crop;
     text += fmt::format(" \"integer pixelbounds\" [ {} {} {} {} ]", x, x + width, y, y + height);
@@ -159,10 +184,12 @@ std::string filter(const PixelFilter& filter, Losses& losses) {
 std::string pbrt_view(const SceneToWrite& input, SceneOutput& output) {
   const RenderDefaults::Resolution& size = *input.picture.resolution;
   const Camera camera = fit_frame(input.scene.camera, size.width, size.height);
-  name_losses(camera, output.losses);
+  name_losses(camera, size, output.losses);
   const auto from_world = inverse(frame_of(camera));
+  const double meters = 1 / lens_unit(camera);
   std::string text =
-      pbrt_transform(from_world.value_or(Transform{})) + camera_text(camera, size, output) + "\n";
+      pbrt_transform(Transform::scaling(meters, meters, meters) * from_world.value_or(Transform{})) +
+      camera_text(camera, size, output) + "\n";
   text += film_text(input, camera, output.path());
   if (input.picture.samples)
     text += "Sampler \"zsobol\"" + pbrt_integer("pixelsamples", int(*input.picture.samples)) + "\n";

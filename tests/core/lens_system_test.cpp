@@ -127,6 +127,45 @@ TEST_CASE("a surface's rim stops light, so the corners are darker than by the st
   CHECK(mean_light(lens, {20, 0}) < 0.7 * std::pow(cosine, 4) * mean_light(lens, {0, 0}));
 }
 
+TEST_CASE("a nearly flat surface is as good as a flat one, and glass that is flat refracts") {
+  const auto light = [](double back) {
+    return mean_light(LensSystem({{50, 5, 1.5, 10}, {back, 90, 1, 10}}, 20), {6, 2});
+  };
+  const double flat = light(0);
+  CHECK(flat > 0);
+  CHECK(cardinal_points({{50, 5, 1.5, 10}, {0, 90, 1, 10}}).focal_length == Approx(100));
+  for (const double back : {1e7, -1e7, 1e12, -1e16, 1e20, -1e30})
+    CHECK(light(back) == Approx(flat).epsilon(1e-4));
+}
+
+TEST_CASE("a pupil is found however small its stop is") {
+  std::vector<LensSurface> surfaces = focused(double_gauss(), 1000);
+  double wide = 0;
+  for (const double radius : {1.0, 0.1, 0.01}) {
+    surfaces[5].aperture_radius = radius;
+    const LensSystem lens(surfaces, 21.6);
+    for (const float away : {0.0f, 11.0f, 21.0f}) {
+      int through = 0;
+      for_each_sight(lens, {away, 0}, [&](const LensSystem::Sight& sight) { through += sight.light > 0; });
+      CHECK(through > draws * draws / 20);
+    }
+    const double light = mean_light(lens, {0, 0}) / (radius * radius);
+    if (wide == 0) wide = light;
+    CHECK(light == Approx(wide).epsilon(0.05));
+  }
+}
+
+TEST_CASE("a last surface that bulges towards the scene may have its rim near the film") {
+  // The same lens with a stop behind it that stops nothing: pupils are bounded elsewhere.
+  const std::vector<LensSurface> lens{{12, 10, 1.9, 11}, {14, 2.5, 1, 6}};
+  std::vector<LensSurface> stopped = lens;
+  stopped[1].thickness = 1.5;
+  stopped.push_back({0, 1, 1, 100});
+  for (const float away : {0.0f, 0.7f, 1.4f})
+    CHECK(mean_light(LensSystem(lens, 1.5), {away, 0}) ==
+          Approx(mean_light(LensSystem(stopped, 1.5), {away, 0})).epsilon(0.01));
+}
+
 TEST_CASE("directions out of a lens are unit vectors into the scene, from its first surface") {
   const LensSystem lens(focused(double_gauss(), 1000), 21.6);
   double length_to_front = 0;
@@ -156,9 +195,16 @@ TEST_CASE("a lens that cannot be is refused with what is wrong with it") {
   CHECK(contains(text({{50, 5, 1.5, 0}, {-50, 50, 1, 5}}), "an aperture of 0"));
   CHECK(contains(text({{50, 5, 1.5, 5}, {-50, 50, 1.3, 5}}), "that of air, 1, before the film"));
   CHECK(contains(text({{-50, 5, 1.5, 5}, {50, 50, 1, 5}}), "brings no distant light together"));
+  CHECK(
+      contains(text({{1e200, 5, 1.5, 5}, {-50, 50, 1, 5}}), "a curvature radius of 1e+200; valid is 0, or"));
+  CHECK(contains(text({{50, 5, 1.5, 1e200}, {-50, 50, 1, 5}}),
+                 "an aperture of 1e+200; valid is 1e-30 to 1e30"));
+  CHECK(
+      contains(text({{20, 5, 1.5, 20}, {30, 25, 1, 29.9}}), "the rim of the last surface reaches the film"));
   CHECK(contains(text({{0, 5, 1, 5}}), "brings no distant light together"));
   CHECK(contains(text({{50, 5, 1.5, 5}, {-50, 0, 1, 5}}), "the film touches the lens"));
-  CHECK(contains(text(single_lens(50, -50, 5), 0), "a film that reaches 0 from the axis"));
+  CHECK(contains(text(single_lens(50, -50, 5), 0),
+                 "a film that reaches 0 from the axis; valid is 1e-30 to 1e30"));
   CHECK(contains(text(single_lens(50, -50, 5), nan), "a film that reaches nan"));
 }
 
@@ -175,7 +221,7 @@ TEST_CASE("a lens focused beyond what is infinitely far is sharp nowhere") {
 }
 
 TEST_CASE("numbers of any size give light that is a number and not negative") {
-  for (const double size : {1e-30, 1e-3, 1e3, 1e30}) {
+  for (const double size : {1e-26, 1e-3, 1e3, 1e26}) {
     const LensSystem lens({{50 * size, 5 * size, 1.5, 5 * size}, {-50 * size, 50 * size, 1, 5 * size}},
                           20 * size);
     for (const float film : {0.0f, float(10 * size), std::numeric_limits<float>::infinity()}) {

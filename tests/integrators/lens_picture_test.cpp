@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures through a lens system (core/lens_system.h): what it leaves of the light, and what layers show.
 #include <cmath>
+#include <tuple>
 
 #include "core/angle.h"
 #include "integrators/normals.h"
@@ -42,7 +43,7 @@ RenderOptions square_picture(std::uint32_t samples) {
 
 TEST_CASE("a white sky in the middle of the frame is as bright as the cone of light is wide") {
   const Scene scene = white_sky();
-  const Film film = picture(scene, PathIntegrator(scene, {}), square_picture(256));
+  const Film film = picture(scene, PathIntegrator(scene, {}), square_picture(4096));
   const double from_film = scene.camera.lenses->surfaces().back().thickness, stop = 0.125;
   const double middle = pi_double * stop * stop / (stop * stop + from_film * from_film);
   CHECK(film.pixel(7, 8).luminance_mean() == Approx(middle).epsilon(0.02));
@@ -60,6 +61,23 @@ TEST_CASE("layers do not count the light that a lens leaves") {
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 16; ++x) CHECK(film.value(0, x, y).r == 1);
   CHECK(film.pixel(8, 8).luminance_mean() < 0.1);
+}
+
+TEST_CASE("depths behind a lens are those from the film, and what is clipped is so for all samples") {
+  Scene scene = half_lit(camera_with_lens_system());
+  RenderOptions options = square_picture(64);
+  options.layers = {Layer::alpha, Layer::depth};
+  const Film film = picture(scene, PathIntegrator(scene, {}), options);
+  for (int y = 0; y < 16; ++y) CHECK(film.value(1, 15, y).r == Approx(4).epsilon(1e-5));
+  for (const bool by_distance : {false, true})
+    for (const auto& [near, far, alpha] :
+         {std::tuple{3.9f, 4.3f, 1.0f}, {0.0f, 3.9f, 0.0f}, {4.3f, 9.0f, 0.0f}}) {
+      scene.camera.clip_near = near, scene.camera.clip_far = far;
+      scene.camera.clips_by_distance = by_distance;
+      const Film clipped = picture(scene, PathIntegrator(scene, {}), options);
+      CHECK(clipped.value(0, 15, 8).r == alpha);
+      CHECK((clipped.pixel(15, 8).luminance_mean() > 0) == (alpha > 0));
+    }
 }
 
 TEST_CASE("layers that are asked for change no light behind a lens") {
