@@ -104,7 +104,8 @@ def half_size(camera, resolution, peer):
     """Half of what a camera sees across and down, at the distance 1 if it is a perspective one."""
     if camera["type"] not in ("perspective", "orthographic"):
         raise Unsupported(f"a {camera['type']} camera is not converted for {peer}")
-    for key, what in (("frame_center", "a shifted lens"), ("aperture", "aperture blades")):
+    for key, what in (("frame_center", "a shifted lens"), ("aperture", "aperture blades"),
+                      ("lens_system", "a lens system")):
         if key in camera:
             raise Unsupported(f"a camera with {what} is not converted for {peer}")
     kind = "half_" if camera["type"] == "orthographic" else "tan_half_"

@@ -56,6 +56,7 @@ class Exchange(Folder):
         camera = {"type": "perspective", "tan_half_width": 3, "tan_half_height": 2}
         for change, text in (({"type": "fisheye"}, "a fisheye camera is not converted for X"),
                              ({"frame_center": [1, 0]}, "a camera with a shifted lens is not converted"),
+                             ({"lens_system": {}}, "a camera with a lens system is not converted for X"),
                              ({"aperture": {"blades": 5, "turns": 0}}, "with aperture blades is not")):
             with self.assertRaisesRegex(exchange.Unsupported, text):
                 exchange.half_size({**camera, **change}, (30, 20), "X")
