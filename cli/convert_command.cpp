@@ -94,7 +94,7 @@ int convert_command(const ConvertArguments& arguments) {
   const WrittenScene written = written_scene({scene, loaded.defaults}, arguments.output);
   const std::vector<std::string> paths = paths_of(written);
   check_not_read(paths, *options.files);
-  const InterruptGuard guard(paths);
+  const InterruptGuard guard(paths, 0, InterruptGuard::Outputs::together);
   prepare_outputs(paths, {});
   write_files(written);
   for (const std::string& warning : written.warnings) console::warn(warning);

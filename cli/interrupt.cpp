@@ -7,7 +7,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "cli/console.h"
 #include "io/output_file.h"
@@ -90,10 +92,15 @@ void take_signal(int signal_number) {
 
 }  // namespace
 
-InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int early_code)
+InterruptGuard::InterruptGuard(const std::vector<std::string>& outputs, int early_code, Outputs are)
     : code_before_(exit_code_before) {
-  for (const std::string& output : outputs)
+  for (const std::string& output : outputs) {
+    std::error_code ignored;
+    const bool is_new =
+        std::filesystem::symlink_status(output, ignored).type() == std::filesystem::file_type::not_found;
+    if (are == Outputs::together && is_new) paths_.push_back(output);
     if (std::string path = temporary_path(output); !path.empty()) paths_.push_back(std::move(path));
+  }
   if (!paths_.empty()) unfinished_paths = &paths_;
   is_lost_at_the_end = !outputs.empty();
   exit_code_before = early_code;

@@ -15,9 +15,14 @@ namespace twinray {
 /// signal that the program was started to ignore is ignored. One within the life of another takes its place.
 class InterruptGuard {
  public:
+  /// What outputs are worth while others are not finished: as much as ever, or nothing. Then those that were
+  /// not there before are removed, finished or not.
+  enum class Outputs { apart, together };
+
   /// `early_code`, if not 0, is the exit code of a program that ends at once. Throws Error for a name that
   /// cannot be written.
-  explicit InterruptGuard(const std::vector<std::string>& outputs, int early_code = 0);
+  explicit InterruptGuard(const std::vector<std::string>& outputs, int early_code = 0,
+                          Outputs are = Outputs::apart);
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;

@@ -22,7 +22,8 @@ def pbrt_scene(text, arguments):
                                        for side in "xy"]
     lines = [line for line in lines if not line.startswith(STATEMENTS)]
     size = f'"integer xresolution" {width} "integer yresolution" {height}'
-    lines += [f'Film "rgb" {size} "bool savefp16" false',
+    diagonal = re.search(r'"float diagonal" \[ \S+ \]', film)  # A lens's.
+    lines += [f'Film "rgb" {size} "bool savefp16" false ' + (diagonal[0] if diagonal else ""),
               'PixelFilter "box"',
               f'Sampler "zsobol" "integer pixelsamples" {arguments.samples} "integer seed" {arguments.seed}',
               f'Integrator "path" "integer maxdepth" {arguments.depth}']

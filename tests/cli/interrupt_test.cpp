@@ -5,9 +5,11 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <utility>
 
 #include "cli/partial_picture.h"
@@ -38,6 +40,28 @@ bool is_rendered(const std::string& path) {
 }
 
 }  // namespace
+
+TEST_CASE("outputs that belong together go together when a signal ends their writing, but for old ones") {
+  using Outputs = InterruptGuard::Outputs;
+  for (const Outputs are : {Outputs::apart, Outputs::together}) {
+    const TemporaryFolder folder;
+    const std::string old = folder.file("old.ply"), added = folder.file("new.ply"),
+                      last = folder.file("a.json");
+    write_text(old, "as it was");
+    const pid_t child = fork();
+    if (child == 0) {
+      const InterruptGuard guard({old, added, last}, 0, are);
+      write_text(added, "finished");
+      std::raise(SIGTERM);
+      _exit(0);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(WEXITSTATUS(status) == 143);
+    CHECK(read_text(old) == "as it was");
+    CHECK(folder.file_count() == (are == Outputs::together ? 1 : 2));
+  }
+}
 
 TEST_CASE("Ctrl-C keeps what was rendered, with the samples that it has") {
   for (const std::string ending : {".png", ".exr"}) {

@@ -57,6 +57,12 @@ class Calls(Folder):
             self.assertIn("Sampler \"zsobol\" \"integer pixelsamples\" 8 \"integer seed\" 5\n", options)
             self.assertIn("Integrator \"path\" \"integer maxdepth\" 3", options)
 
+    def test_the_film_of_a_lens_keeps_its_size(self):
+        text = self.box.read_text().replace('Film "rgb" ', 'Film "rgb" "float diagonal" [ 21.5 ] ')
+        made = pbrt_render.pbrt_scene(text, task.parser().parse_args(["a", "b"]))
+        film = next(line for line in made.split("\n") if line.startswith("Film "))
+        self.assertIn('"float diagonal" [ 21.5 ]', film)
+
     def test_its_picture_has_the_size_and_its_version_is_said(self):
         done = self.script(self.stand_in(), "--samples", "2", "--size", "16", "12")
         self.assertEqual((done.returncode, done.stdout), (0, "pbrt version 4\n"), done.stderr)
