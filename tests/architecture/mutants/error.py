@@ -48,4 +48,7 @@ MUTANTS = [
     Mutant("a set's options are those common to all", "cli/error/option_set.cpp",
            "read_alone(set.options,", "read_alone({},",
            "test_cli", "errors are those of the pictures that render makes with the same options and seeds"),
+    Mutant("textures are converted in place of an error", "cli/error/options.cpp",
+           "if (set.arguments.convert_textures)", "if (false)", "test_cli",
+           "wrong command lines of error are refused with what would be valid"),
 ]

@@ -196,4 +196,10 @@ MUTANTS = [
     Mutant("latitudes turn around a horizontal axis where their illuminance is found", "io/pbrt/light.cpp",
            "illuminance_sum(*map, layout, axes_of(layout))", "illuminance_sum(*map, layout, {})", "test_io",
            "a light with a picture has pbrt's power, or illuminance, times its color"),
+    Mutant("a file that ends before its world is an empty scene", "io/pbrt/scene.cpp",
+           "if (!is_world_) end.fail(", "if (false) end.fail(", "test_io",
+           "a file that ends before its world describes no scene"),
+    Mutant("a further camera replaces the first without a word", "io/pbrt/scene.cpp",
+           "    if (is_new) return;\n", "    return;\n", "test_io",
+           "of two statements about the picture the second one counts, with a warning"),
 ]

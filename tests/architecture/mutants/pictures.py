@@ -152,4 +152,10 @@ MUTANTS = [
     Mutant("an environment whose frame is higher is taken for the whole", "io/picture/image_file.cpp",
            "frame.width == image.width && frame.height == image.height", "frame.width == image.width",
            "test_io", "an environment that is a part of its frame has its place there, and black around"),
+    Mutant("the frame that a PNG names is not read", "io/picture/image_file.cpp",
+           "return frame_of_value(value_of(read_metadata(path), frame_key));", "return std::nullopt;",
+           "test_io", "a PNG says of what frame it is a part, if its metadata do"),
+    Mutant("a crop does not name its frame", "cli/picture_metadata.cpp",
+           "metadata.emplace_back(frame_key, frame_value(frame));", "metadata.emplace_back(\"a\", \"b\");",
+           "test_cli", "parts of a frame that are others are not compared, in PNG either"),
 ]

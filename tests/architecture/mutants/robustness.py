@@ -2,6 +2,8 @@
 """Defects in what keeps broken files, wrong command lines and interruptions from doing harm."""
 from mutant import Mutant
 
+TOGETHER = "outputs that belong together go together when a signal ends their writing, but for old ones"
+
 MUTANTS = [
     Mutant("nothing is kept of an interrupted render", "cli/partial_picture.cpp",
            "  write_pictures(partial, arguments, {film}, notes);\n", "", "test_cli",
@@ -63,4 +65,8 @@ MUTANTS = [
     Mutant("a plan does not look at the names of a scene's files", "cli/plan/command.cpp",
            "  check_json_names(files, \"a film\");\n", "", "test_cli",
            "a scene reads files whose names are not UTF-8, but a film cannot name them"),
+    Mutant("finished files of a scene stay without the others", "cli/interrupt.cpp",
+           "are == Outputs::together && is_new", "false", "test_cli", TOGETHER),
+    Mutant("old files of a scene go with the new ones", "cli/interrupt.cpp",
+           "are == Outputs::together && is_new", "are == Outputs::together", "test_cli", TOGETHER),
 ]
