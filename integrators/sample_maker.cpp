@@ -52,13 +52,13 @@ void SampleMaker::sample_lights(std::span<const CameraSample> camera_samples, Tr
 void SampleMaker::make(std::span<const PixelSample> samples, std::span<CameraSample> camera_samples,
                        Tracer& tracer, const RecordSpans& records) const {
   camera_stage_.make(samples, camera_samples);
-  if (!records.has_layers() && of_.integrator.is_of_light()) skip_dark(camera_samples);
+  const bool is_dimmed = camera_.lenses && of_.integrator.is_of_light();
+  if (is_dimmed && !records.has_layers()) skip_dark(camera_samples);
   camera_interiors_.find(camera_samples);
   sample_lights(camera_samples, tracer, records);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (const float weight = camera_samples[i].weight; weight != 1) records.weigh(i, weight);
-    if (const float light = camera_samples[i].light; light != 1 && of_.integrator.is_of_light())
-      records.dim(i, light);
+    if (is_dimmed) records.dim(i, camera_samples[i].light);
   }
 }
 
