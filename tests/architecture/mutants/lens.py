@@ -14,6 +14,7 @@ NEAREST = "a distance at which a lens makes nothing sharp is refused with the le
 SKY = "a white sky in the middle of the frame is as bright as the cone of light is wide"
 LAYERS = "layers do not count the light that a lens leaves"
 UPRIGHT = "what a lens shows is not mirrored, and sharp where its focus is"
+DEPTHS = "depths behind a lens are those from the film, and what is clipped is so for all samples"
 LIGHT = "a lens dims what is light and nothing else"
 FILE = "a realistic camera has the lens of its file in scene units, focused"
 SCALED = "a camera that is scaled has a lens that is, too, and sees the same"
@@ -72,8 +73,7 @@ MUTANTS = [
            "last.index() != 1)", "last.index() > 5)", "test_core", REFUSED),
     Mutant("depths behind a lens count from its front", "core/camera.cpp",
            "in_world(sight.origin - sight.direction * (sight.origin.z / forward))", "in_world(sight.origin)",
-           "test_integrators",
-           "depths behind a lens are those from the film, and what is clipped is so for all samples"),
+           "test_integrators", DEPTHS),
     Mutant("the picture stays upside down", "core/camera.cpp",
            "{-seen.x * distance, -seen.y * distance}", "{seen.x * distance, seen.y * distance}",
            "test_integrators", UPRIGHT),
@@ -86,7 +86,7 @@ MUTANTS = [
            "records.dim(i, camera_samples[i].light);", "records.weigh(i, camera_samples[i].light);",
            "test_integrators", LAYERS),
     Mutant("samples that a lens stops are skipped where layers are asked for", "integrators/sample_maker.cpp",
-           "if (is_dimmed && !records.has_layers())", "if (is_dimmed)", "test_integrators", LAYERS),
+           "if (is_dimmed && !records.has_layers())", "if (is_dimmed)", "test_integrators", DEPTHS),
     Mutant("a lens dims normals", "integrators/normals.h",
            "bool is_of_light() const override { return false; }",
            "bool is_of_light() const override { return true; }", "test_integrators", LIGHT),
