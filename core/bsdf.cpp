@@ -56,6 +56,7 @@ struct LobesOf {
   }
   Bsdf::Lobes operator()(const Principled& m) const { return PrincipledLobe(m, side == Side::inside); }
   Bsdf::Lobes operator()(const Hair& m) const { return HairLobe(m); }
+  Bsdf::Lobes operator()(const Measured& m) const { return MeasuredLobe(*m.brdf, side == Side::inside); }
   Bsdf::Lobes operator()(const Interface&) const { return PassageLobe{}; }
   Bsdf::Lobes operator()(const Mix&) const { return LambertLobe{}; }
 };

@@ -12,6 +12,7 @@
 #include "core/lobes/diffuse_transmission.h"
 #include "core/lobes/hair.h"
 #include "core/lobes/lambert.h"
+#include "core/lobes/measured.h"
 #include "core/lobes/principled.h"
 #include "core/lobes/rough_conductor.h"
 #include "core/lobes/rough_dielectric.h"
@@ -73,7 +74,7 @@ class Bsdf {
       std::variant<LambertLobe, MirrorLobe, SmoothConductorLobe, SmoothDielectricLobe, RefractionLobe,
                    ThinDielectricLobe, PassageLobe, RoughConductorLobe, RoughDielectricLobe,
                    Cs184MicrofacetLobe, DiffuseTransmissionLobe, RoughDiffuseLobe, CoatedDiffuseLobe,
-                   SmoothCoatedConductorLobe, CoatedConductorLobe, PrincipledLobe, HairLobe>;
+                   SmoothCoatedConductorLobe, CoatedConductorLobe, PrincipledLobe, HairLobe, MeasuredLobe>;
 
  private:
   Lobes lobes_;

@@ -3,6 +3,7 @@
 // of them.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -150,6 +151,13 @@ struct Hair {
 };
 inline constexpr float least_hair_roughness = 0.02f;
 
+class MeasuredBrdf;
+
+/// A material that was measured from all directions, on both sides (core/measured_brdf.h); never null.
+struct Measured {
+  std::shared_ptr<const MeasuredBrdf> brdf;
+};
+
 /// No surface at all: light goes straight on. Where an interior begins without a boundary that reflects.
 struct Interface {};
 
@@ -162,7 +170,7 @@ struct Mix {
 
 using SurfaceModel =
     std::variant<Lambert, Mirror, Refraction, Glass, Microfacet, Dielectric, Conductor, DiffuseTransmission,
-                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Principled, Hair, Interface, Mix>;
+                 RoughDiffuse, CoatedDiffuse, CoatedConductor, Principled, Hair, Measured, Interface, Mix>;
 
 /// What of a model a texture may give, point by point: the member of that name. `reflectance` and `roughness`
 /// are Principled's base_color and specular_roughness, too; `roughness_u` and `_v` are the axes of one.

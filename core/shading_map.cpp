@@ -8,6 +8,7 @@
 #include "core/angle.h"
 #include "core/elementary.h"
 #include "core/frame.h"
+#include "core/measured_brdf.h"
 #include "core/tangents.h"
 #include "core/textured_material.h"
 
@@ -65,6 +66,7 @@ struct IsAnisotropic {
   static bool differ(float) { return false; }
 
   bool operator()(const Hair&) const { return true; }
+  bool operator()(const Measured& model) const { return model.brdf->is_anisotropic(); }
   template <typename Model>
   bool operator()(const Model& model) const {
     bool found = false;

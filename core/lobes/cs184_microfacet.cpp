@@ -41,8 +41,10 @@ float Cs184MicrofacetLobe::lambda(const Vec3& w) const {
 BsdfValue Cs184MicrofacetLobe::evaluate(const Vec3& wo, const Vec3& wi) const {
   if (!(wo.z > 0 && wi.z > 0)) return {};
   const Vec3 m = normalize(wo + wi);
+  const float cosine = dot(wo, m);
+  if (!(cosine > 0)) return {};  // By rounding, where both graze the surface from opposite sides.
   const float facets = density(m), masking = 1 / (1 + lambda(wo) + lambda(wi));
-  return {fresnel(wi.z) * (masking * facets / (4 * wo.z * wi.z)), facets * m.z / (4 * dot(wo, m))};
+  return {fresnel(wi.z) * (masking * facets / (4 * wo.z * wi.z)), facets * m.z / (4 * cosine)};
 }
 
 BsdfSample Cs184MicrofacetLobe::sample(const Vec3& wo, float /*lobe*/, Vec2 u) const {

@@ -75,5 +75,8 @@ std::string exchange_texture_file(const std::string& path, std::size_t texture) 
 std::string exchange_density_file(const std::string& path, std::size_t density) {
   return beside(path, fmt::format("-density-{}.exr", density));
 }
+std::string exchange_brdf_file(const std::string& path, std::size_t material) {
+  return beside(path, fmt::format("-material-{}.bsdf", material));
+}
 
 }  // namespace twinray

@@ -70,10 +70,11 @@ Json described(Described value) {
   return object;
 }
 
-/// The files that stand beside the JSON file of this path, by the numbers of shape, light or texture.
+/// The files that stand beside the JSON file of this path, by the numbers of shape, light, texture and so on.
 std::string exchange_mesh_file(const std::string& path, std::size_t shape);
 std::string exchange_light_file(const std::string& path, std::size_t light);
 std::string exchange_texture_file(const std::string& path, std::size_t texture);
 std::string exchange_density_file(const std::string& path, std::size_t density);
+std::string exchange_brdf_file(const std::string& path, std::size_t material);
 
 }  // namespace twinray

@@ -39,6 +39,7 @@ inline const char* type_name(const CoatedDiffuse&) { return "coated_diffuse"; }
 inline const char* type_name(const CoatedConductor&) { return "coated_conductor"; }
 inline const char* type_name(const Principled&) { return "openpbr"; }
 inline const char* type_name(const Hair&) { return "hair"; }
+inline const char* type_name(const Measured&) { return "measured"; }
 inline const char* type_name(const Interface&) { return "interface"; }
 inline const char* type_name(const Mix&) { return "mix"; }
 // and of lights.
@@ -236,6 +237,9 @@ void members(const Visit& visit, Principled& m) {
   visit("emission_color", m.emission_color, Valid::not_negative);
   visit("geometry_thin_walled", m.geometry_thin_walled);
 }
+/// What was measured is in a file of its own.
+template <typename Visit>
+void members(const Visit&, Measured&) {}
 template <typename Visit>
 void members(const Visit&, Interface&) {}
 template <typename Visit>

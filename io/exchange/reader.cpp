@@ -13,12 +13,14 @@
 #include "core/alpha_test.h"
 #include "core/error.h"
 #include "core/film.h"
+#include "core/measured_brdf.h"
 #include "core/parallel.h"
 #include "core/scene_textures.h"
 #include "io/exchange/camera.h"
 #include "io/exchange/entry.h"
 #include "io/exchange/texture.h"
 #include "io/input_file.h"
+#include "io/measured/brdf_file.h"
 #include "io/mesh_scene.h"
 #include "io/picture/image_file.h"
 #include "io/ply/reader.h"
@@ -30,7 +32,7 @@ SurfaceModel read_model(const Entry& entry) {
   return described_by<SurfaceModel>(
       entry, {Lambert{}, Mirror{}, Refraction{}, Glass{}, Microfacet{}, Dielectric{},
               Dielectric{.is_thin = true}, Conductor{}, DiffuseTransmission{}, RoughDiffuse{},
-              CoatedDiffuse{}, CoatedConductor{}, Principled{}, Hair{}, Interface{}, Mix{}});
+              CoatedDiffuse{}, CoatedConductor{}, Principled{}, Hair{}, Measured{}, Interface{}, Mix{}});
 }
 
 LightSource read_source(const Entry& entry) {
@@ -94,6 +96,7 @@ class SceneReader {
   void read_materials(const Entry& file) {
     file.for_each("materials", [&](const Entry& entry) {
       Material material{.name = entry.word("name"), .model = read_model(entry), .textures = {}};
+      if (auto* measured = std::get_if<Measured>(&material.model)) read_brdf(entry, *measured);
       if (entry.has("interior"))
         entry.within("interior", [&](const Entry& inside) {
           members(MemberReader(inside), material.interior);
@@ -119,6 +122,14 @@ class SceneReader {
       if (entry.has("tangent_degrees")) material.tangent_degrees = entry.number("tangent_degrees");
       if (entry.has("tangent_map")) material.tangent_map = entry.index("tangent_map");
       loaded_.scene.materials.push_back(std::move(material));
+    });
+  }
+
+  void read_brdf(const Entry& entry, Measured& model) const {
+    const std::string path = entry.file_beside(path_);
+    options_.add_file(path);
+    model.brdf = at_place(entry.place(), [&] {
+      return std::make_shared<const MeasuredBrdf>(read_brdf_file(read_(path), path));
     });
   }
 

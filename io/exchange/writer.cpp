@@ -8,6 +8,7 @@
 #include <map>
 
 #include "io/exchange/json.h"
+#include "io/measured/brdf_file.h"
 #include "io/output_file.h"
 #include "io/picture/image_file.h"
 #include "io/ply/ply.h"
@@ -36,14 +37,25 @@ const MipMap* picture_of(const Texture& texture) {
   return image ? image->image.get() : nullptr;
 }
 
-/// Of each texture the first one of the same picture: its number stands in the file's name.
-std::vector<std::size_t> first_of_picture(const Scene& scene) {
+/// What a material was measured as; null for most.
+const MeasuredBrdf* brdf_of(const Material& material) {
+  const auto* measured = std::get_if<Measured>(&material.model);
+  return measured ? measured->brdf.get() : nullptr;
+}
+
+/// Of each in a list the first one for which `of` gives the same: its number stands in the file's name.
+template <typename Each, typename Of>
+std::vector<std::size_t> first_of(const std::vector<Each>& list, const Of& of) {
   std::vector<std::size_t> first;
-  std::map<const MipMap*, std::size_t> known;
-  for (std::size_t i = 0; i < scene.textures.size(); ++i)
-    first.push_back(known.try_emplace(picture_of(scene.textures[i]), i).first->second);
+  std::map<decltype(of(list[0])), std::size_t> known;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    first.push_back(known.try_emplace(of(list[i]), i).first->second);
   return first;
 }
+std::vector<std::size_t> first_of_picture(const Scene& scene) {
+  return first_of(scene.textures, [](const Texture& texture) { return picture_of(texture); });
+}
+std::vector<std::size_t> first_of_brdf(const Scene& scene) { return first_of(scene.materials, brdf_of); }
 
 Json shape_json(const Mesh&) { return {{"type", "mesh"}}; }
 Json shape_json(const SphereSet& set) {
@@ -103,9 +115,13 @@ Json material_json(const Material& material) {
   return json;
 }
 
-Json materials_json(const Scene& scene) {
+Json materials_json(const Scene& scene, const std::string& path) {
   Json list = Json::array();
-  for (const Material& material : scene.materials) list.push_back(material_json(material));
+  const std::vector<std::size_t> first = first_of_brdf(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    list.push_back(material_json(scene.materials[i]));
+    if (brdf_of(scene.materials[i])) list.back()["file"] = name_of_file(exchange_brdf_file(path, first[i]));
+  }
   return list;
 }
 
@@ -237,7 +253,7 @@ std::string exchange_json(const Scene& scene, const std::string& path, const Exc
          render_text(picture) + "  \"camera\": " + line(exchange_camera_json(camera)) +
          (has_textures ? list("textures", textures_json(scene, path)) : "") +
          (scene.densities.empty() ? "" : list("densities", densities_json(scene, path))) +
-         list("materials", materials_json(scene)) +
+         list("materials", materials_json(scene, path)) +
          (has_atmosphere ? fmt::format(",\n  \"atmosphere\": {}", scene.atmosphere) : "") +
          list("lights", lights_json(scene, path)) + list("shapes", shapes_json(scene, path)) +
          (has_instances ? list("instances", instances_json(scene)) : "") + "\n}\n";
@@ -263,6 +279,12 @@ WrittenScene written_exchange(const SceneToWrite& input, const std::string& path
     written.files.push_back(
         {exchange_density_file(path, i),
          [grid = scene.densities[i]](const std::string& file) { write_exr(file, density_picture(*grid)); }});
+  const std::vector<std::size_t> first_material = first_of_brdf(scene);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    if (const MeasuredBrdf* brdf = brdf_of(scene.materials[i]); brdf && first_material[i] == i)
+      written.files.push_back({exchange_brdf_file(path, i), [brdf](const std::string& file) {
+                                 write_file(file, brdf_file_bytes(*brdf, BrdfColors::rgb));
+                               }});
   const RenderDefaults& asked = input.picture;
   const ExchangePicture picture{asked.resolution->width,
                                 asked.resolution->height,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/measured_brdf.h"
 #include "core/textured_material.h"
 #include "io/exchange/writer.h"
 #include "io/one_base.h"
@@ -100,6 +101,10 @@ class StandIn {
   void take(const Hair& model) {
     name("diffuse surface", "diffuse surfaces");
     make_diffuse(model.reflectance);
+  }
+  void take(const Measured& model) {
+    name("diffuse surface", "diffuse surfaces");
+    make_diffuse(model.brdf->albedo());
   }
   void take(const Mirror& model) {
     name("smooth metal", "smooth metals");

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/error.h"
+#include "io/byte_cursor.h"
 #include "io/gzip.h"
 #include "io/input_file.h"
 #include "io/nanovdb/blosc.h"
@@ -38,34 +38,14 @@ struct GridHeader {
 };
 static_assert(sizeof(GridHeader) == 176);
 
-/// Takes what a file has next.
-class Cursor {
- public:
-  Cursor(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
-
-  bool is_at_end() const { return rest_.empty(); }
-  std::string_view take(std::uint64_t size, const char* what) {
-    if (size > rest_.size()) throw Error(fmt::format("{}: the NanoVDB file is cut off in {}", name_, what));
-    const std::string_view taken = rest_.substr(0, size);
-    rest_.remove_prefix(size);
-    return taken;
-  }
-  template <typename T>
-  T take(const char* what) {
-    T value;
-    std::memcpy(&value, take(sizeof value, what).data(), sizeof value);
-    return value;
-  }
-
- private:
-  std::string_view rest_;
-  const std::string& name_;
-};
+ByteCursor cursor(std::string_view bytes, const std::string& name) {
+  return {bytes, name + ": the NanoVDB file"};
+}
 
 }  // namespace
 
 NvdbFile::NvdbFile(std::string_view bytes, const std::string& name) : name_(name) {
-  Cursor file(bytes, name);
+  ByteCursor file = cursor(bytes, name);
   do {
     const auto segment = file.take<SegmentHeader>("its header");
     if (segment.magic != file_magic && segment.magic != grid_magic && segment.magic != newer_file_magic)
@@ -113,7 +93,7 @@ std::vector<std::uint64_t> NvdbFile::grid(std::string_view grid) const {
                             name_, grid, entry->size, max_input_bytes));
   std::vector<std::uint64_t> unpacked((entry->size + 7) / 8);
   const std::span<char> room(reinterpret_cast<char*>(unpacked.data()), entry->size);
-  Cursor packed(entry->packed, name_);
+  ByteCursor packed = cursor(entry->packed, name_);
   if (entry->codec == Codec::none) {
     std::ranges::copy(packed.take(room.size(), "a grid"), room.begin());
   } else if (entry->codec == Codec::zip) {

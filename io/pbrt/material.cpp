@@ -6,16 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string_view>
 
 #include "core/elementary.h"
 #include "core/lobes/hair.h"
+#include "core/measured_brdf.h"
 #include "core/microfacet.h"
 #include "core/nested_mixes.h"
 #include "core/phase_function.h"
 #include "core/radiance.h"
 #include "core/textured_material.h"
+#include "io/measured/brdf_file.h"
 #include "io/pbrt/material_inputs.h"
 #include "io/pbrt/spectrum.h"
 #include "io/pbrt/subsurface_material.h"
@@ -180,13 +183,6 @@ Interior filling_within(const Principled& model, const PbrtMaterialInputs& in) {
           .anisotropy = std::clamp(anisotropy, -most, most)};
 }
 
-SurfaceModel instead(const PbrtMaterialInputs& in, const char* what, const char* shown,
-                     const SurfaceModel& model) {
-  in.parameters.place().warn(in.context.warnings,
-                             fmt::format("{} is not rendered; {} stands for it", what, shown));
-  return model;
-}
-
 /// Which parameter says the colour of fibres, but for pigments; null where none does. As in pbrt, the first
 /// of these counts, and the others have no effect.
 const char* color_of_hair(const PbrtMaterialInputs& in) {
@@ -231,8 +227,18 @@ SurfaceModel read_hair(const PbrtMaterialInputs& in) {
 }
 
 SurfaceModel read_measured(const PbrtMaterialInputs& in) {
-  in.parameters.find("filename");
-  return instead(in, "a measured material", "a diffuse surface of 0.5", Lambert{half_grey});
+  const std::string name = in.parameters.text("filename", "");
+  if (name.empty()) in.parameters.place().fail("a measured material needs its file, \"string filename\"");
+  const PbrtPlace& place = in.parameters.find("filename")->place;
+  const std::string path = in.context.files.path(place, name);
+  std::shared_ptr<const MeasuredBrdf>& known = in.context.brdfs[path];
+  if (known) return Measured{known};
+  try {
+    known = std::make_shared<const MeasuredBrdf>(read_brdf_file(in.context.files.bytes(place, path), path));
+  } catch (const Error& error) {
+    place.fail(error.what());
+  }
+  return Measured{known};
 }
 
 struct MaterialReader {

@@ -68,6 +68,7 @@ class StandIn {
   SurfaceModel of(const RoughDiffuse& model) {
     return instead("diffuse surface", "diffuse surfaces", Lambert{model.reflectance});
   }
+  SurfaceModel of(const Measured& model) { return model; }
   SurfaceModel of(const Hair& model) {
     return instead("diffuse surface", "diffuse surfaces", Lambert{model.reflectance});
   }

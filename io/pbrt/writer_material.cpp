@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/subsurface.h"
 #include "core/textured_material.h"
+#include "io/measured/brdf_file.h"
+#include "io/output_file.h"
 #include "io/pbrt/stand_in.h"
 #include "io/pbrt/text.h"
 
@@ -15,14 +18,18 @@ namespace {
 
 using enum MaterialInput;
 
+/// The files of what was measured.
+using BrdfFiles = std::map<const MeasuredBrdf*, std::string>;
+
 /// The parameters of one material.
 class Parameters {
  public:
-  Parameters(const PbrtStandIn& made, PbrtTextureWriter& textures, SceneOutput& output,
+  Parameters(const PbrtStandIn& made, PbrtTextureWriter& textures, BrdfFiles& brdf_files, SceneOutput& output,
              const std::vector<std::string>& names)
       : material_(made.material),
         made_(made),
         textures_(textures),
+        brdf_files_(brdf_files),
         output_(output),
         names_(names),
         uses_(material_.textures) {
@@ -144,6 +151,16 @@ class Parameters {
     rough("interface.", coat_roughness, model.coat_roughness);
     remap();
   }
+  void add(const Measured& model) {
+    type("measured");
+    std::string& file = brdf_files_[model.brdf.get()];
+    if (file.empty())
+      file = output_.add(fmt::format("-{}.bsdf", brdf_files_.size()),
+                         [brdf = model.brdf](const std::string& path) {
+                           write_file(path, brdf_file_bytes(*brdf, BrdfColors::spectra));
+                         });
+    text_ += pbrt_word("filename", file);
+  }
   void add(const Interface&) { type("interface"); }
   void add(const Mix& model) {
     type("mix");
@@ -168,6 +185,7 @@ class Parameters {
   const Material& material_;
   const PbrtStandIn& made_;
   PbrtTextureWriter& textures_;
+  BrdfFiles& brdf_files_;
   SceneOutput& output_;
   const std::vector<std::string>& names_;
   std::vector<TextureUse> uses_;  ///< Those that are not written yet.
@@ -191,13 +209,14 @@ PbrtMaterialTexts pbrt_materials(const Scene& scene, PbrtTextureWriter& textures
   PbrtMaterialTexts made;
   made.names.resize(scene.materials.size());
   UniqueNames names;
+  BrdfFiles brdf_files;
   const std::vector<bool> used = used_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     if (!used[i]) continue;
     const PbrtStandIn stand_in = pbrt_stand_in(scene.materials[i], output.losses);
     made.names[i] = names.unique(scene.materials[i].name, fmt::format("material {}", i));
     made.text += fmt::format("MakeNamedMaterial {}{}\n", pbrt_string(made.names[i]),
-                             Parameters(stand_in, textures, output, made.names).text());
+                             Parameters(stand_in, textures, brdf_files, output, made.names).text());
   }
   return made;
 }

@@ -6,6 +6,7 @@
 #include "tests/support/catch.h"
 #include "tests/support/chi_square.h"
 #include "tests/support/lobe_checks.h"
+#include "tests/support/measured_facets.h"
 #include "tests/support/random.h"
 
 namespace twinray {
@@ -68,6 +69,7 @@ TEST_CASE("light from behind is scattered by those that let light through, and b
                                  clear,
                                  DiffuseTransmission{},
                                  Dielectric{1.5f, {0.3f, 0.3f}},
+                                 test::measured_material(white),
                                  Hair{}};
   int through = 0;
   for (const SurfaceModel& model : models) {

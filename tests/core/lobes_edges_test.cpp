@@ -3,6 +3,7 @@
 // corners of the unit square.
 #include "core/bsdf.h"
 #include "tests/support/catch.h"
+#include "tests/support/measured_facets.h"
 #include "tests/support/random.h"
 
 namespace twinray {
@@ -20,6 +21,7 @@ std::vector<SurfaceModel> models_of(const Roughness& roughness, const Rgb& tint)
                                       Hair{tint, roughness.x, roughness.y, 30},
                                       Hair{black, roughness.x, roughness.y, 30, 1},
                                       Hair{tint, 0.5f, 0.5f, 1e30f, 1e30f},
+                                      test::measured_material(tint, roughness.x == roughness.y ? 1 : 5),
                                       Microfacet{std::max(roughness.x, 0.01f), {0.2f, 1, 3}, {4, 1, 0}}};
   for (const float ior : {0.5f, 1.0f, 1.0001f, 1.5f, 4.0f}) {
     models.push_back(Dielectric{ior, roughness, tint, tint, false});

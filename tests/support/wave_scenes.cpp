@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/textured_material.h"
+#include "tests/support/measured_facets.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
@@ -150,6 +151,8 @@ Scene scene_of_every_model() {
                                  CoatedDiffuse{.roughness = {0.2f, 0.2f}},
                                  CoatedConductor{},
                                  CoatedConductor{.roughness = {0.3f, 0.3f}, .coat_roughness = {0.2f, 0.2f}},
+                                 measured_material({0.9f, 0.6f, 0.3f}),
+                                 measured_material({0.4f, 0.6f, 0.9f}, 5),
                                  Mix{0, 4, 0.3f}};
   std::vector<Shape> shapes = scene.geometry->shapes();
   std::uint64_t seed = 20;

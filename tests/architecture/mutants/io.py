@@ -56,7 +56,7 @@ MUTANTS = [
            "if (has_levels) return", "if (true) return", "test_io",
            "textures come back from exchange form with all that they are made of"),
     Mutant("an exchange form writes a picture once for each of its textures", "io/exchange/writer.cpp",
-           "first.push_back(known.try_emplace(picture_of(scene.textures[i]), i).first->second);",
+           "first.push_back(known.try_emplace(of(list[i]), i).first->second);",
            "first.push_back(i);", "test_io",
            "textures in exchange form are of its third version, patterns of its fourth"),
     Mutant("a picture of an exchange form is data, whatever its role", "io/exchange/texture.cpp",

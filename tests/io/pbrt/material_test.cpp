@@ -319,9 +319,7 @@ TEST_CASE("hair's reflectance may be a texture's, and its curves are round") {
   CHECK(loaded.scene.geometry->mesh(1)->triangles.size() == 8);
 }
 
-TEST_CASE("what is not rendered is named, with what stands for it") {
-  CHECK(warning_of("Material \"measured\" \"string filename\" \"a\"") ==
-        "a measured material is not rendered; a diffuse surface of 0.5 stands for it");
+TEST_CASE("a material that there is not, and a reflectance above 1, are errors") {
   CHECK(pbrt_error("Material \"plastic\"").find("there is no material \"plastic\"; valid are diffuse") !=
         std::string::npos);
   CHECK(pbrt_error("Material \"diffuse\" \"rgb reflectance\" [ 1 1.5 1 ]")
