@@ -47,7 +47,8 @@ Json memory_json(const SceneInfo& info) {
   needs["pictures of surfaces"] = pictures;
   needs["pictures of lights"] = info.light_picture_bytes;
   needs["densities of media"] = info.density_bytes;
-  sum += pictures + info.light_picture_bytes + info.density_bytes;
+  needs["measured materials"] = info.measurement_bytes;
+  sum += pictures + info.light_picture_bytes + info.density_bytes + info.measurement_bytes;
   for (const MemoryNeed& need : info.needs) {
     needs[need.name] = need.bytes;
     sum += need.bytes;

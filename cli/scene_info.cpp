@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "core/measured_brdf.h"
 #include "io/exchange/writer.h"
 
 namespace twinray {
@@ -89,6 +90,17 @@ std::uint64_t light_picture_bytes(const Scene& scene) {
   return sum;
 }
 
+/// Materials that share a measurement keep it once.
+std::uint64_t measurement_bytes(const Scene& scene) {
+  std::set<const MeasuredBrdf*> measurements;
+  for (const Material& material : scene.materials)
+    if (const auto* const measured = std::get_if<Measured>(&material.model))
+      measurements.insert(measured->brdf.get());
+  std::uint64_t sum = 0;
+  for (const MeasuredBrdf* const brdf : measurements) sum += brdf->bytes();
+  return sum;
+}
+
 }  // namespace
 
 SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
@@ -105,6 +117,7 @@ SceneInfo scene_info(const std::string& name, const LoadedScene& loaded) {
   info.geometry_bytes += scene.geometry->instances().size() * (sizeof(Instance) + sizeof(PlacedInstance));
   info.light_picture_bytes = light_picture_bytes(scene);
   for (const auto& grid : scene.densities) info.density_bytes += grid->bytes();
+  info.measurement_bytes = measurement_bytes(scene);
   info.media = media_of(scene);
   info.materials = materials_of(scene);
   info.pictures = pictures_of(scene);

@@ -43,6 +43,7 @@ struct SceneInfo {
   std::uint64_t geometry_bytes = 0;
   std::uint64_t light_picture_bytes = 0;  ///< Of pictures that lights shine by.
   std::uint64_t density_bytes = 0;        ///< Of media that are not even.
+  std::uint64_t measurement_bytes = 0;    ///< Of materials that were measured.
   MediaInfo media;
   std::vector<MaterialInfo> materials;
   std::vector<PictureInfo> pictures;

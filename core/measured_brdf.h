@@ -43,6 +43,8 @@ class MeasuredBrdf {
   bool is_relative_to_facets() const { return is_relative_to_facets_; }
 
   bool is_anisotropic() const { return phi_.size() > 2; }
+  /// 1, or 2 or 4 where a half or a quarter of the azimuths stands for all.
+  int folds() const { return folds_; }
   /// In memory.
   std::size_t bytes() const;
 

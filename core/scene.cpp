@@ -117,6 +117,8 @@ void check_interior(const Scene& scene, std::size_t index) {
   if (index >= Interiors::most_materials)
     throw Error(fmt::format("material {} has an interior; only the first {} materials may", index,
                             Interiors::most_materials));
+  if (const auto* const measured = std::get_if<Measured>(&material.model); measured && !measured->brdf)
+    throw Error(fmt::format("material {} is a measured one without a measurement", index));
   const Rgb& absorption = material.interior.absorption;
   if (!is_finite(absorption) || std::min({absorption.r, absorption.g, absorption.b}) < 0)
     throw Error(fmt::format("material {} has an absorption of {:g} {:g} {:g}; each must be finite and >= 0",

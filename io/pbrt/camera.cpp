@@ -12,6 +12,7 @@
 #include "core/elementary.h"
 #include "core/geometry.h"
 #include "io/diagnostic.h"
+#include "io/display/display.h"
 #include "io/pbrt/transform.h"
 #include "io/pbrt/version_three.h"
 
@@ -182,8 +183,12 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
     parameters.find("sensor")->place.warn(
         context.warnings,
         fmt::format("the sensor \"{}\" is not rendered: colors are those of cie1931", sensor));
-  if (parameters.real("whitebalance", 0) != 0)
-    parameters.find("whitebalance")->place.warn(context.warnings, "white balance is not rendered");
+  if (const float kelvin = parameters.real("whitebalance", 0); kelvin != 0)
+    parameters.find("whitebalance")
+        ->place.warn(context.warnings,
+                     fmt::format("\"whitebalance\" is an option here, for pictures of 8 bits: "
+                                 "--white-balance={:g}",
+                                 std::clamp(double(kelvin), least_white_kelvin, most_white_kelvin)));
   for (const char* unused :
        {"filename", "savefp16", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"})
     parameters.find(unused);  // about files, sensors of other cameras and pbrt's own estimates

@@ -2,9 +2,11 @@
 // twinray info: what is in a scene.
 #include <fmt/format.h>
 
+#include "io/measured/brdf_file.h"
 #include "io/picture/image_file.h"
 #include "tests/support/catch.h"
 #include "tests/support/json.h"
+#include "tests/support/measured_facets.h"
 #include "tests/support/process.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/text.h"
@@ -132,6 +134,17 @@ TEST_CASE("info tells of media, and of the memory of those that are not even") {
   CHECK(info["memory_bytes"]["densities of media"] == (9 * 9 * 9 + 1) * 4);
   CHECK(contains(run_program("info " + quoted(scene)).out,
                  "media: 1 that absorb, 1 that scatter light, 1 of them not even; an atmosphere\n"));
+}
+
+TEST_CASE("info tells of the memory of measured materials, once for each measurement") {
+  const TemporaryFolder folder;
+  const MeasuredBrdf brdf(measured_facets(Ggx(0.4f), {1, 1, 1}, 3, 1, 4));
+  write_text(folder.file("a.bsdf"), brdf_file_bytes(brdf, BrdfColors::rgb));
+  const std::string ball = "Material \"measured\" \"string filename\" \"a.bsdf\" Shape \"sphere\" ";
+  write_text(folder.file("a.pbrt"), "WorldBegin " + ball + ball);
+  // Four angles, two tables of 4 x 4 numbers, three slices of two densities with their sums, and of colors.
+  constexpr int numbers = 4 + 2 * 16 + 3 * 2 * 2 * 16 + 3 * 3 * 16;
+  CHECK(info_of(folder.file("a.pbrt"))["memory_bytes"]["measured materials"] == numbers * 4);
 }
 
 TEST_CASE("info tells below how many materials light is scattered") {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/bsdf.h"
+#include "core/scene.h"
 #include "core/shading_map.h"
 #include "tests/support/error_text.h"
 #include "tests/support/lobe_checks.h"
@@ -136,6 +137,32 @@ TEST_CASE("azimuths of a half or a quarter of the circle stand for the rest of i
     }
 }
 
+TEST_CASE("half of the azimuths stands for a material that is the same turned by half a turn, not mirrored") {
+  const auto leaning = [](BrdfMeasurement m) {
+    std::vector<float> ndf = m.ndf.values();
+    const std::size_t nodes = m.ndf.width();
+    for (std::size_t y = 0; y < nodes; ++y)
+      for (std::size_t x = 0; x < nodes; ++x)
+        if (4 * y / nodes % 2 == 0) ndf[y * nodes + x] *= 3;
+    m.ndf = SquareTable<float>(nodes, nodes, ndf);
+    return MeasuredBrdf(std::move(m));
+  };
+  const Ggx facets(0.4f, 0.5f);
+  const MeasuredBrdf whole = leaning(measured_facets(facets, facet_color, 6, 33, 33)),
+                     half = leaning(measured_facets(facets, facet_color, 6, 17, 33, 2));
+  CHECK(half.folds() == 2);
+  test::Random random(12);
+  double apart = 0, mirrored = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 wo = above(random, 0.4f), wi = above(random, 0.4f);
+    const auto value = double(whole.evaluate(wo, wi).value.g);
+    const Vec3 side_o{wo.x, -wo.y, wo.z}, side_i{wi.x, -wi.y, wi.z};
+    apart += std::fabs(double(half.evaluate(wo, wi).value.g) - value);
+    mirrored += std::fabs(double(half.evaluate(side_o, side_i).value.g) - value);
+  }
+  CHECK(apart < 0.05 * mirrored);
+}
+
 TEST_CASE("from behind, a measured material is the point reflection of itself") {
   // Facets that are even in x and y do not show it: these reflect more towards +x.
   BrdfMeasurement leaning = measured_facets(Ggx(0.4f, 0.5f), facet_color, 6, 9);
@@ -186,6 +213,9 @@ TEST_CASE("measurements that cannot be are refused with what is wrong") {
     change(m);
     return error_text([&] { MeasuredBrdf{std::move(m)}; });
   };
+  Scene scene;
+  scene.materials = {{"paint", Measured{}}};
+  CHECK(error_text([&] { check_scene(scene); }) == "material 0 is a measured one without a measurement");
   using M = BrdfMeasurement;
   CHECK(error([](M&) {}) == "");
   CHECK(error([](M& m) { m.phi.clear(); }) == "a measurement without phi");

@@ -144,6 +144,8 @@ TEST_CASE("settings of pbrt that change its picture and are options here are tol
     const auto warnings = load_pbrt_text(statements + " WorldBegin").warnings;
     return warnings.empty() ? "" : warnings.at(0).message;
   };
+  CHECK(warning("Film \"rgb\" \"float whitebalance\" 4500") ==
+        "\"whitebalance\" is an option here, for pictures of 8 bits: --white-balance=4500");
   CHECK(warning("Film \"rgb\" \"float maxcomponentvalue\" 10") ==
         "\"maxcomponentvalue\" is not heeded; --clamp limits indirect light");
   CHECK(warning("Integrator \"path\" \"bool regularize\" true") ==
