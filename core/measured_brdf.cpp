@@ -159,8 +159,9 @@ BsdfValue MeasuredBrdf::evaluate(const Seen& from, const Vec3& wi) const {
   }
   const double per_direction = solid_angle(place, m) * 4 * double(dot(from.wo, m));
   const double pdf = double(visible) * double(luminance_.pdf(u, from.blend)) / per_direction;
+  value = value / wi.z;
   if (!(pdf > 0) || !(pdf < 1e30) || !is_finite(value)) return {};
-  return {value / wi.z, float(pdf)};
+  return {value, float(pdf)};
 }
 
 BsdfValue MeasuredBrdf::evaluate(const Vec3& wo, const Vec3& wi) const {

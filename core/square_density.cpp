@@ -31,6 +31,9 @@ std::size_t last_up_to(std::size_t count, double target, const Value& value) {
   return first;
 }
 
+/// Below it a slice is as one of zeros: its integral would be no normal float.
+constexpr float least_density = 1e-30f;
+
 SquareTable<float> even_where_zero(const SquareTable<float>& given) {
   const std::size_t nodes = given.width() * given.height();
   std::vector<float> values = given.values();
@@ -39,7 +42,7 @@ SquareTable<float> even_where_zero(const SquareTable<float>& given) {
     for (auto value = begin; value != end; ++value)
       if (!(*value >= 0) || !std::isfinite(*value))
         throw Error("a density has a number that is negative or not finite");
-    if (std::all_of(begin, end, [](float value) { return value == 0; })) std::fill(begin, end, 1.0f);
+    if (*std::max_element(begin, end) < least_density) std::fill(begin, end, 1.0f);
   }
   return {given.width(), given.height(), std::move(values)};
 }

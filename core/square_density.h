@@ -12,8 +12,8 @@ namespace twinray {
 /// Acquisition and Rendering", 2018.)
 class SquareDensity {
  public:
-  /// In proportion to a table's numbers. A slice of zeros has the same density everywhere. Throws Error where
-  /// a number is negative or not finite, or all are too large to be summed up.
+  /// In proportion to a table's numbers. A slice of zeros, or of less than 1e-30, has the same density
+  /// everywhere. Throws Error where a number is negative or not finite, or all are too large to be summed up.
   explicit SquareDensity(const SquareTable<float>& table);
 
   const SquareTable<float>& table() const { return table_; }

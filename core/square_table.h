@@ -55,13 +55,15 @@ class SquareTable {
     return {x, y, {scaled.x - float(x), scaled.y - float(y)}};
   }
   Value at(Vec2 point, const SliceBlend& blend = {}) const {
-    const auto [x, y, within] = place(point);
+    const Place cell = place(point);
+    const Vec2 within = cell.within;
     Value sum{};
     for (std::size_t i = 0; i < blend.count; ++i) {
-      const auto row = [&](std::size_t j) {
-        return node(blend.slices[i], x, j) * (1 - within.x) + node(blend.slices[i], x + 1, j) * within.x;
+      const auto row = [&](std::size_t y) {
+        return node(blend.slices[i], cell.x, y) * (1 - within.x) +
+               node(blend.slices[i], cell.x + 1, y) * within.x;
       };
-      sum += (row(y) * (1 - within.y) + row(y + 1) * within.y) * float(blend.weights[i]);
+      sum += (row(cell.y) * (1 - within.y) + row(cell.y + 1) * within.y) * float(blend.weights[i]);
     }
     return sum;
   }

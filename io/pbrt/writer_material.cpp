@@ -154,10 +154,11 @@ class Parameters {
   void add(const Measured& model) {
     type("measured");
     if (model.brdf->folds() > 1)
-      output_.losses.add("a material that was measured from a part of the azimuths is written as it is: pbrt "
-                         "refuses it",
-                         "{} materials that were measured from a part of the azimuths are written as they are: "
-                         "pbrt refuses them");
+      output_.losses.add(
+          "a material that was measured from a part of the azimuths is written as it is: pbrt "
+          "refuses it",
+          "{} materials that were measured from a part of the azimuths are written as they are: "
+          "pbrt refuses them");
     std::string& file = brdf_files_[model.brdf.get()];
     if (file.empty())
       file = output_.add(fmt::format("-{}.bsdf", brdf_files_.size()),

@@ -115,6 +115,8 @@ TEST_CASE("a slice of zeros has the same density everywhere") {
   const SquareDensity density(SquareTable<float>(3, 2, {0, 0, 0, 0, 0, 0}));
   CHECK(density.pdf({0.1f, 0.9f}, {}) == 1);
   CHECK(density.sample({0.25f, 0.75f}, {}).point == Vec2{0.25f, 0.75f});
+  const SquareDensity tiny(SquareTable<float>(2, 2, {0, 1e-40f, 0, 0}));
+  CHECK(tiny.sample({0.25f, 0.75f}, {}).point == Vec2{0.25f, 0.75f});
 }
 
 TEST_CASE("tables and densities that cannot be are refused") {

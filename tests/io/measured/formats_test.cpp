@@ -92,8 +92,9 @@ TEST_CASE("a written measured material comes back: with each bit in our form, wi
 TEST_CASE("a part of the azimuths is written to pbrt's format with a warning: pbrt refuses it") {
   const auto half = std::make_shared<const MeasuredBrdf>(measured_facets(Ggx(0.2f, 0.5f), white, 3, 5, 4, 2));
   const RoundTrip trip = round_trip(scene_of(tetrahedron_mesh(), Measured{half}), "a.pbrt");
-  CHECK(trip.warnings == std::vector<std::string>{"a material that was measured from a part of the azimuths is "
-                                                  "written as it is: pbrt refuses it"});
+  CHECK(trip.warnings ==
+        std::vector<std::string>{"a material that was measured from a part of the azimuths is "
+                                 "written as it is: pbrt refuses it"});
   CHECK(brdf_of(only_material(trip)).folds() == 2);
 }
 
