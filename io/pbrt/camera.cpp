@@ -12,7 +12,6 @@
 #include "core/elementary.h"
 #include "core/geometry.h"
 #include "io/diagnostic.h"
-#include "io/display/display.h"
 #include "io/pbrt/transform.h"
 #include "io/pbrt/version_three.h"
 
@@ -188,7 +187,7 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
         ->place.warn(context.warnings,
                      fmt::format("\"whitebalance\" is an option here, for pictures of 8 bits: "
                                  "--white-balance={:g}",
-                                 std::clamp(double(kelvin), least_white_kelvin, most_white_kelvin)));
+                                 kelvin));
   for (const char* unused :
        {"filename", "savefp16", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"})
     parameters.find(unused);  // about files, sensors of other cameras and pbrt's own estimates

@@ -84,6 +84,8 @@ TEST_CASE("a tensor file that cannot be is refused with what is wrong") {
         "a.bsdf: the field \"grid\" has 17 dimensions; at most 16 are read");
   CHECK(tensor_error(with_number(bytes, offset_at, std::uint64_t(1) << 63)) ==
         "a.bsdf: the field \"grid\" reaches beyond the end of the file");
+  CHECK(tensor_error(with_number(bytes, offset_at, std::uint64_t(0) - 8)) ==
+        "a.bsdf: the field \"grid\" reaches beyond the end of the file");
   // Sizes whose product overflows, too.
   for (const std::uint64_t size : {std::uint64_t(1) << 62, std::uint64_t(1000)})
     CHECK(contains(tensor_error(with_number(bytes, shape_at, size)), "numbers is larger than the file"));
