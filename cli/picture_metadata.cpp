@@ -15,6 +15,7 @@
 #include "cli/shell_text.h"
 #include "cli/version.h"
 #include "core/error.h"
+#include "io/decimal.h"
 #include "io/picture/camera_matrices.h"
 
 namespace twinray {
@@ -31,6 +32,9 @@ std::string time_stamp(const std::string& seconds_since_1970) {
 }
 
 namespace {
+
+/// What a scene's file says of the light that is white on displays.
+constexpr const char* daylight_key = "twinray:daylight_kelvin";
 
 /// What keeps a picture from converging to the scene's light; empty: nothing.
 std::string biases_of(const PathOptions& path) {
@@ -52,7 +56,16 @@ ImageMetadata option_metadata(const RenderArguments& arguments, const std::vecto
                          {"twinray:filter", filter_text(arguments.render.filter)}};
   if (const std::string biases = biases_of(arguments.path); !biases.empty())
     metadata.emplace_back("twinray:biased_by", biases);
+  if (arguments.display.daylight_kelvin)
+    metadata.emplace_back(daylight_key, fmt::format("{}", *arguments.display.daylight_kelvin));
   return metadata;
+}
+
+std::optional<double> daylight_of(const ImageMetadata& metadata) {
+  const auto [kelvin, fault] = read_decimal<double>(value_of(metadata, daylight_key));
+  const bool is_one =
+      fault == DecimalFault::none && kelvin >= least_white_kelvin && kelvin <= most_white_kelvin;
+  return is_one ? std::optional(kelvin) : std::nullopt;
 }
 
 ImageMetadata picture_metadata(const RenderArguments& arguments, const std::vector<std::string>& words) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@ namespace twinray {
 
 /// The program, the words of a command line, and what these ask for.
 ImageMetadata option_metadata(const RenderArguments& arguments, const std::vector<std::string>& words);
+
+/// The temperature of the daylight that displays show as white, as the scene's file said; nothing where it
+/// did not.
+std::optional<double> daylight_of(const ImageMetadata& metadata);
 
 /// What is stored in every picture of a render: the above, the program's name where it is another, and the
 /// time that the environment's SOURCE_DATE_EPOCH states, if it does, so that the same command gives the same

@@ -64,6 +64,7 @@ void take_defaults(const RenderDefaults& defaults, RenderArguments& arguments) {
   if (defaults.samples && !has_samples && !is_open_ended(arguments.render))
     arguments.render.samples = *defaults.samples;
   if (defaults.max_depth && !is_given("--max-depth", arguments)) take_depth(*defaults.max_depth, arguments);
+  arguments.display.daylight_kelvin = defaults.daylight_kelvin;
 }
 
 std::function<RenderArguments()> add_render_options(CLI::App& app) {

@@ -20,6 +20,9 @@ struct Shutter {
   bool operator==(const Shutter&) const = default;
 };
 
+/// Of light that displays may show as white.
+inline constexpr double least_white_kelvin = 2000, most_white_kelvin = 25000;
+
 /// What a scene file says about its picture: it holds where nobody asks for something else.
 struct RenderDefaults {
   struct Resolution {
@@ -31,6 +34,8 @@ struct RenderDefaults {
   std::optional<int> max_depth;            ///< Scattering events.
   std::optional<PixelFilter> filter;
   std::optional<Shutter> shutter;  ///< Of a scene in which something moves.
+  /// Displays show daylight of this temperature as white: kelvin, in white_kelvins.
+  std::optional<double> daylight_kelvin;
 
   /// The crop of a picture of this size: the same part of it, of a pixel at least.
   std::optional<std::array<int, 4>> crop_of(const Resolution& size) const {

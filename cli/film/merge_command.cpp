@@ -94,6 +94,7 @@ RenderArguments arguments_of(const Words& words, const FilmNotes& notes) {
   arguments.render.width = notes.identity.width;
   arguments.render.height = notes.identity.height;
   arguments.render.window = notes.identity.window;
+  arguments.display.daylight_kelvin = daylight_of(notes.picture.metadata);
   return arguments;
 }
 

@@ -6,6 +6,7 @@
 #include "core/elementary.h"
 #include "io/display/agx.h"
 #include "io/display/white_balance.h"
+#include "io/pbrt/spectrum.h"
 #include "io/picture/image_codec.h"
 
 namespace twinray {
@@ -14,7 +15,10 @@ namespace {
 /// Exposure and white balance in one.
 ColorMatrix gain_of(const Display& display) {
   ColorMatrix gain{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  if (display.white_kelvin) gain = white_balance(*display.white_kelvin);
+  if (display.white_kelvin)
+    gain = white_balance(blackbody_color(*display.white_kelvin));
+  else if (display.daylight_kelvin)
+    gain = white_balance(daylight_color(*display.daylight_kelvin));
   for (auto& row : gain)
     for (double& entry : row) entry *= exp2_of(display.exposure_stops);
   return gain;
@@ -40,7 +44,7 @@ ByteImage in_bytes(const Image& image) {
 ByteImage displayed(const Image& image, const Display& display) {
   if (display == Display{}) return encode_srgb(image);
   Image shown = image;
-  if (display.exposure_stops != 0 || display.white_kelvin)
+  if (display.exposure_stops != 0 || display.white_kelvin || display.daylight_kelvin)
     change(shown, [gain = gain_of(display)](const Rgb& pixel) { return transformed(gain, pixel); });
   if (!display.ocio_view.empty())
     return in_bytes(image_codec().viewed(shown, display.ocio_display, display.ocio_view));

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/image.h"
+#include "io/render_defaults.h"
 
 namespace twinray {
 
@@ -15,8 +16,11 @@ enum class Tone {
 
 struct Display {
   double exposure_stops = 0;  ///< All light times 2 to this power.
-  /// The light of a black body of this temperature becomes white. Kelvin, in white_kelvins.
+  /// The light of a black body of this temperature becomes white. Kelvin, from least_white_kelvin to
+  /// most_white_kelvin.
   std::optional<double> white_kelvin;
+  /// Where that is not said: daylight of this temperature (daylight_color()).
+  std::optional<double> daylight_kelvin;
   Tone tone = Tone::srgb;
   /// In place of a tone: the display and the view of the OpenColorIO configuration that $OCIO names. Without
   /// a view nothing; without a display the configuration's first one.
@@ -24,7 +28,6 @@ struct Display {
 
   friend bool operator==(const Display&, const Display&) = default;
 };
-inline constexpr double least_white_kelvin = 2000, most_white_kelvin = 25000;
 
 /// Throws Error where $OCIO names no configuration that has the view.
 ByteImage displayed(const Image& image, const Display& display);

@@ -337,11 +337,20 @@ class SceneReader {
     if (entry.has("max_depth"))
       defaults.max_depth = int(entry.whole("max_depth", entry.at("max_depth"), 0, most_events));
     if (entry.has("crop")) read_crop(entry);
+    if (entry.has("daylight_kelvin")) read_white(entry);
     if (!entry.has("filter")) return;
     PixelFilter filter;
     entry.within("filter", [&](const Entry& described) { members(MemberReader(described), filter); });
     at_place(entry.place() + ".filter", [&] { check(filter); });
     defaults.filter = filter;
+  }
+
+  void read_white(const Entry& entry) {
+    const double kelvin = entry.real("daylight_kelvin", entry.at("daylight_kelvin"));
+    if (!(kelvin >= least_white_kelvin && kelvin <= most_white_kelvin))
+      entry.fail("daylight_kelvin", fmt::format("is {:g}; valid are {:g} to {:g}", kelvin, least_white_kelvin,
+                                                most_white_kelvin));
+    loaded_.defaults.daylight_kelvin = kelvin;
   }
 
   /// A part of the resolution, which is known.

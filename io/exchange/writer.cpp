@@ -220,6 +220,7 @@ std::string render_text(const ExchangePicture& picture) {
   if (picture.max_depth) json["max_depth"] = *picture.max_depth;
   if (std::optional<PixelFilter> filter = picture.filter) members(MemberWriter(json["filter"]), *filter);
   if (picture.crop) json["crop"] = *picture.crop;
+  if (picture.daylight_kelvin) json["daylight_kelvin"] = *picture.daylight_kelvin;
   return json.empty() ? "" : fmt::format("  \"render\": {},\n", line(json));
 }
 
@@ -291,7 +292,8 @@ WrittenScene written_exchange(const SceneToWrite& input, const std::string& path
                                 asked.samples,
                                 asked.max_depth,
                                 asked.filter,
-                                asked.crop};
+                                asked.crop,
+                                asked.daylight_kelvin};
   written.files.push_back({path, [&scene, path, picture](const std::string& file) {
                              write_file(file, exchange_json(scene, path, picture));
                            }});

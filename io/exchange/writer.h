@@ -19,7 +19,8 @@ struct ExchangePicture {
   std::optional<std::uint32_t> samples = {};
   std::optional<int> max_depth = {};
   std::optional<PixelFilter> filter = {};
-  std::optional<std::array<int, 4>> crop = {};  ///< As RenderDefaults has it.
+  std::optional<std::array<int, 4>> crop = {};  ///< As RenderDefaults has it,
+  std::optional<double> daylight_kelvin = {};   ///< and this.
 };
 
 /// The words for them in that file: "lambert", "thin_dielectric", ..., and "mesh", "point", ...

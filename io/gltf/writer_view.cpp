@@ -140,6 +140,7 @@ void add_gltf_camera(const SceneToWrite& input, GltfFile& file) {
   Camera camera = fit_frame(input.scene.camera, size.width, size.height);
   name_camera_losses(camera, size, file.output.losses);
   if (input.picture.crop) file.output.losses.add("the picture's crop is left out");
+  if (input.picture.daylight_kelvin) file.output.losses.add("the picture's white balance is left out");
   if (is_panorama(camera.projection)) {
     camera.tan_half_height = 1;
     camera.tan_half_width = float(size.width) / float(size.height);

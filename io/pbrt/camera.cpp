@@ -165,6 +165,28 @@ PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters
   return camera;
 }
 
+namespace {
+
+/// The light that is white. 0: the color space's.
+void read_white(const PbrtParameters& parameters, RenderDefaults& defaults, PbrtContext& context) {
+  const auto kelvin = double(parameters.real("whitebalance", 0));
+  if (kelvin == 0) return;
+  if (!(kelvin >= least_white_kelvin && kelvin <= most_white_kelvin)) {
+    parameters.find("whitebalance")
+        ->place.warn(context.warnings,
+                     fmt::format("a white balance of {:g} K is not rendered; valid are {:g} to {:g}", kelvin,
+                                 least_white_kelvin, most_white_kelvin));
+    return;
+  }
+  defaults.daylight_kelvin = kelvin;
+  context.notes.push_back(
+      fmt::format("in pictures of 8 bits daylight of {:g} K is white, as the film says; --white-balance is "
+                  "another one, and floats keep the light",
+                  kelvin));
+}
+
+}  // namespace
+
 PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, PbrtContext& context) {
   if (type != "rgb" && type != "gbuffer" && type != "spectral")
     parameters.place().fail(fmt::format("there is no film \"{}\"; valid are rgb, gbuffer and spectral{}",
@@ -182,12 +204,7 @@ PbrtFilm read_film(const std::string& type, const PbrtParameters& parameters, Pb
     parameters.find("sensor")->place.warn(
         context.warnings,
         fmt::format("the sensor \"{}\" is not rendered: colors are those of cie1931", sensor));
-  if (const float kelvin = parameters.real("whitebalance", 0); kelvin != 0)
-    parameters.find("whitebalance")
-        ->place.warn(context.warnings,
-                     fmt::format("\"whitebalance\" is an option here, for pictures of 8 bits: "
-                                 "--white-balance={:g}",
-                                 kelvin));
+  read_white(parameters, film.defaults, context);
   for (const char* unused :
        {"filename", "savefp16", "coordinatesystem", "nbuckets", "lambdamin", "lambdamax"})
     parameters.find(unused);  // about files, sensors of other cameras and pbrt's own estimates

@@ -103,6 +103,16 @@ Rgb blackbody_color(double kelvin) {
   return unit_luminance(seen([&](const Observed& o) { return planck(o.wavelength, kelvin); }));
 }
 
+Rgb daylight_color(double kelvin) {
+  // By the constant of radiation that the series was made with.
+  const double t = kelvin * 1.4388 / 1.4380;
+  if (t < 4000) return blackbody_color(kelvin);
+  const double x = t <= 7000 ? -4.6070e9 / (t * t * t) + 2.9678e6 / (t * t) + 0.09911e3 / t + 0.244063
+                             : -2.0064e9 / (t * t * t) + 1.9018e6 / (t * t) + 0.24748e3 / t + 0.237040;
+  const double y = -3 * x * x + 2.870 * x - 0.275;
+  return clipped(to_rgb({x / y, 1, (1 - x - y) / y}));
+}
+
 Rgb matter_color(const Spectrum& spectrum) {
   const auto lit =
       to_rgb(seen([&](const Observed& o) { return o.daylight * double(spectrum.at(float(o.wavelength))); }));

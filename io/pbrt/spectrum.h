@@ -28,6 +28,9 @@ struct Spectrum {
 Rgb light_color(const Spectrum& spectrum);
 /// The color of light of a black body, as pbrt has it: with luminance 1. Kelvin, above 0.
 Rgb blackbody_color(double kelvin);
+/// The color of daylight of a temperature up to 25000 K, with luminance 1: the CIE's D series (CIE 15) or,
+/// below 4000 K, a black body, as pbrt's films take it.
+Rgb daylight_color(double kelvin);
 /// What a surface of this reflectance shows under daylight (CIE D65): a constant spectrum stays that number.
 /// The same weights turn the index of refraction of a metal and its absorption into channels.
 Rgb matter_color(const Spectrum& spectrum);

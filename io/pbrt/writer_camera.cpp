@@ -166,6 +166,7 @@ std::string film_text(const SceneToWrite& input, const Camera& camera, const std
     const auto& [x, y, width, height] = *input.picture.crop;
     text += fmt::format(" \"integer pixelbounds\" [ {} {} {} {} ]", x, x + width, y, y + height);
   }
+  if (input.picture.daylight_kelvin) text += pbrt_real("whitebalance", float(*input.picture.daylight_kelvin));
   return text + "\n";
 }
 

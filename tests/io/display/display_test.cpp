@@ -84,18 +84,28 @@ TEST_CASE("a stop of exposure doubles the light") {
 TEST_CASE("white balance makes the light of a black body white, with its luminance") {
   for (const double kelvin : {2000.0, 2856.0, 4000.0, 6500.0, 25000.0}) {
     CAPTURE(kelvin);
-    const Rgb balanced = transformed(white_balance(kelvin), blackbody_color(kelvin));
+    const Rgb balanced = transformed(white_balance(blackbody_color(kelvin)), blackbody_color(kelvin));
     CHECK(balanced.r == Approx(1).margin(1e-5));
     CHECK(balanced.g == Approx(1).margin(1e-5));
     CHECK(balanced.b == Approx(1).margin(1e-5));
   }
   // What was white beside a lamp's red light is blue beside white. Daylight changes little.
-  const Rgb cool = transformed(white_balance(2856), Rgb{1, 1, 1}),
-            day = transformed(white_balance(6500), Rgb{1, 1, 1});
+  const Rgb cool = transformed(white_balance(blackbody_color(2856)), Rgb{1, 1, 1}),
+            day = transformed(white_balance(blackbody_color(6500)), Rgb{1, 1, 1});
   CHECK(cool.b > 2 * cool.r);
   for (const float channel : {day.r, day.g, day.b}) CHECK(channel == Approx(1).margin(0.05));
   CHECK(bytes_of(blackbody_color(3000) * 0.25f, {.white_kelvin = 3000}) ==
         bytes_of({0.25f, 0.25f, 0.25f}, {}));
+}
+
+TEST_CASE("the daylight that a scene's file names is white, unless another white is asked for") {
+  for (const double kelvin : {2000.0, 4500.0, 7504.0, 25000.0})
+    CHECK(bytes_of(daylight_color(kelvin) * 0.25f, {.daylight_kelvin = kelvin}) ==
+          bytes_of({0.25f, 0.25f, 0.25f}, {}));
+  const Rgb grey{0.25f, 0.25f, 0.25f};
+  CHECK(bytes_of(grey, {.white_kelvin = 3000, .daylight_kelvin = 9000}) ==
+        bytes_of(grey, {.white_kelvin = 3000}));
+  CHECK(bytes_of(grey, {.daylight_kelvin = 9000}) != bytes_of(grey, {}));
 }
 
 TEST_CASE("AgX's curve begins at 0, has middle grey in its middle with the slope 2, and ends at 1") {

@@ -56,13 +56,14 @@ TEST_CASE("exchange: what a file says of its picture comes back") {
     write_text(folder.file("a.json"), json.dump());
     return load_scene(folder.file("a.json")).defaults;
   };
-  nlohmann::json json =
-      nlohmann::json::parse(exchange_json(scene, "a.json", {48, 36, 17, 3, filter, {{4, 5, 44, 31}}}));
+  nlohmann::json json = nlohmann::json::parse(
+      exchange_json(scene, "a.json", {48, 36, 17, 3, filter, {{4, 5, 44, 31}}, 4500.0}));
   const RenderDefaults all = defaults_of(json);
   CHECK(all.samples == 17u);
   CHECK(all.max_depth == 3);
   CHECK(all.filter == filter);
   CHECK(all.crop == std::array{4, 5, 44, 31});
+  CHECK(all.daylight_kelvin == 4500.0);
   const auto error = [&](const char* key, const nlohmann::json& value) {
     nlohmann::json wrong = json;
     wrong["render"][key] = value;
@@ -75,6 +76,8 @@ TEST_CASE("exchange: what a file says of its picture comes back") {
   };
   CHECK(error("samples", 0).find("render: \"samples\" is 0") != std::string::npos);
   CHECK(error("max_depth", 101).find("render: \"max_depth\" is 101") != std::string::npos);
+  CHECK(error("daylight_kelvin", 1999).find("render: \"daylight_kelvin\" is 1999; valid are 2000 to 25000") !=
+        std::string::npos);
   for (const std::array<int, 4>& outside : {std::array{5, 5, 44, 31}, {4, 6, 44, 31}})
     CHECK(error("crop", outside).find("render: \"crop\" is not a part of 48 x 36 pixels") !=
           std::string::npos);
@@ -89,6 +92,7 @@ TEST_CASE("exchange: what a file says of its picture comes back") {
   CHECK_FALSE(none.max_depth);
   CHECK_FALSE(none.filter);
   CHECK_FALSE(none.crop);
+  CHECK_FALSE(none.daylight_kelvin);
 }
 
 TEST_CASE("exchange: films have thicknesses and indices that all formats can say") {

@@ -40,6 +40,24 @@ TEST_CASE("a black body's color lies where the CIE has it") {
   }
 }
 
+TEST_CASE("daylight's color lies where the CIE has it, and below 4000 K is a black body's") {
+  struct Known {
+    double kelvin;
+    Vec2 xy;  // CIE 15, the illuminants D50, D55, D65 and D75; of 25000 K by its formula
+  };
+  for (const auto& [kelvin, xy] :
+       {Known{5000, {0.3457f, 0.3585f}}, Known{5500, {0.3324f, 0.3474f}}, Known{6500, {0.3127f, 0.3290f}},
+        Known{7500, {0.2990f, 0.3149f}}, Known{24986, {0.2499f, 0.2548f}}}) {
+    const Vec2 found = chromaticity(daylight_color(kelvin));
+    CAPTURE(kelvin, found.x, found.y);
+    CHECK(found.x == Approx(xy.x).margin(2e-4));
+    CHECK(found.y == Approx(xy.y).margin(2e-4));
+    CHECK(luminance(daylight_color(kelvin)) == Approx(1).epsilon(1e-3));
+  }
+  CHECK(daylight_color(3000) == blackbody_color(3000));
+  CHECK(daylight_color(4000) != blackbody_color(4000));
+}
+
 TEST_CASE("matter of a constant spectrum is that grey, and light of one has the white of equal energy") {
   CHECK(matter_color(constant(0.25f)).r == Approx(0.25).epsilon(1e-6));
   CHECK(matter_color(constant(0.25f)).b == Approx(0.25).epsilon(1e-6));

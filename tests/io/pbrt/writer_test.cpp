@@ -97,6 +97,7 @@ TEST_CASE("written pbrt: what a file said of its picture stays, and nothing else
   RenderDefaults picture{
       .resolution = {{320, 200}}, .crop = {{10, 20, 30, 40}}, .samples = 48, .max_depth = 7};
   picture.filter = PixelFilter{FilterKind::mitchell, {1.5f, 2.5f}, 0.5f, 0.25f, 0.5f};
+  picture.daylight_kelvin = 4500;
   const TemporaryFolder folder;
   const WrittenScene written = written_pbrt({scene, picture}, folder.file("a.pbrt"));
   CHECK(written.warnings.empty());
@@ -108,8 +109,10 @@ TEST_CASE("written pbrt: what a file said of its picture stays, and nothing else
   CHECK(read.samples == 48);
   CHECK(read.max_depth == 7);
   CHECK(read.filter == picture.filter);
+  CHECK(read.daylight_kelvin == 4500.0);
   const std::string text = round_trip(scene, "a.pbrt").text;
   CHECK(text.find("PixelFilter") == text.npos);
+  CHECK(text.find("whitebalance") == text.npos);
   CHECK(text.find("Sampler") == text.npos);
 }
 
