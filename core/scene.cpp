@@ -109,6 +109,12 @@ void check_material(const Scene& scene, std::size_t index) {
                             material.tangent_degrees));
 }
 
+void check_measured(const Scene& scene, std::size_t index) {
+  const auto* const measured = std::get_if<Measured>(&scene.materials[index].model);
+  if (measured && !measured->brdf)
+    throw Error(fmt::format("material {} is a measured one without a measurement", index));
+}
+
 void check_interior(const Scene& scene, std::size_t index) {
   const Material& material = scene.materials[index];
   if (!has_interior(material)) return;
@@ -117,8 +123,6 @@ void check_interior(const Scene& scene, std::size_t index) {
   if (index >= Interiors::most_materials)
     throw Error(fmt::format("material {} has an interior; only the first {} materials may", index,
                             Interiors::most_materials));
-  if (const auto* const measured = std::get_if<Measured>(&material.model); measured && !measured->brdf)
-    throw Error(fmt::format("material {} is a measured one without a measurement", index));
   const Rgb& absorption = material.interior.absorption;
   if (!is_finite(absorption) || std::min({absorption.r, absorption.g, absorption.b}) < 0)
     throw Error(fmt::format("material {} has an absorption of {:g} {:g} {:g}; each must be finite and >= 0",
@@ -195,7 +199,7 @@ void check_mixes(std::span<const Material> materials) {
 
 void check_scene(const Scene& scene) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    check_interior(scene, i), check_subsurface(scene, i);
+    check_measured(scene, i), check_interior(scene, i), check_subsurface(scene, i);
   if (scene.bindings.size() != scene.geometry->shapes().size())
     throw Error(
         fmt::format("{} shapes but {} bindings", scene.geometry->shapes().size(), scene.bindings.size()));
