@@ -95,12 +95,10 @@ void read_crop(const PbrtParameters& parameters, RenderDefaults& defaults, Warni
         ->place.warn(warnings, "\"pixelbounds\" are not used beside a \"cropwindow\"");
   const RenderDefaults::Resolution& size = *defaults.resolution;
   const bool is_right = part.empty() ? bounds.size() == 4 : part.size() == 4;
+  // As floats: 0.1 of 100 pixels are 10, though the nearest float to 0.1 is a little more.
   std::array<double, 4> edges{};
   for (std::size_t i = 0; i < 4 && is_right; ++i)
-    edges[i] = (part.empty() ? 1
-                : i < 2      ? size.width
-                             : size.height) *
-               double(part.empty() ? bounds[i] : part[i]);
+    edges[i] = part.empty() ? double(bounds[i]) : double(float(i < 2 ? size.width : size.height) * part[i]);
   if (is_right && (std::min(edges[0], edges[2]) < 0 || edges[1] > size.width || edges[3] > size.height ||
                    edges[0] > edges[1] || edges[2] > edges[3]))
     parameters.find(name)->place.warn(

@@ -2,6 +2,7 @@
 #include "io/picture/baked_texture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -12,6 +13,9 @@
 namespace twinray {
 namespace {
 
+/// Of a picture over the unit square, along an edge.
+constexpr int least_texels = 64, most_texels = 2048;
+
 /// How one part of a texture lies over the surface.
 struct Part {
   UvTransform uv;
@@ -20,7 +24,15 @@ struct Part {
   Wrap wrap;
   TextureFilter filter = TextureFilter::nearest;
   bool is_exact = true;  ///< So drawn, it shows all that there is.
+  int detail = 1;        ///< Its edges lie at whole texels; where they need not, so many more show them.
 };
+
+/// The texels, along x or y of the unit square, that show a part which lies in it as it does on a surface.
+int texels_of(const Part& part, int axis) {
+  const double columns = std::fabs(double(part.uv.m[0][axis])) * part.width,
+               rows = std::fabs(double(part.uv.m[1][axis])) * part.height;
+  return int(std::min(std::ceil((columns + rows) * part.detail / part.period), double(most_texels)));
+}
 
 bool lie_alike(const Part& a, const Part& b) { return a.wrap == b.wrap && a.uv == b.uv; }
 
@@ -52,7 +64,7 @@ class Parts {
     list.push_back({texture.uv, 1, level.width, level.height, texture.wrap, texture.filter});
   }
   void add_own(const CheckerboardTexture& texture) {
-    list.push_back({texture.uv, 2, 2, 2, WrapMode::repeat, TextureFilter::nearest});
+    list.push_back({texture.uv, 2, 2, 2, WrapMode::repeat, TextureFilter::nearest, true, 16});
   }
   /// Eight dots to each side, of those that never repeat; and what lies between the corners, not beyond.
   void add_own(const DotsTexture& texture) {
@@ -94,7 +106,13 @@ PictureFrame frame_of(const std::vector<Part>& parts) {
   const bool are_exact =
       std::all_of(parts.begin(), parts.end(), [](const Part& part) { return part.is_exact; });
   frame.is_exact = frame.lies_alike && !is_mixed && are_exact;
-  if (!frame.lies_alike) frame.part.uv = {}, frame.part.period = 1, frame.part.wrap = WrapMode::repeat;
+  if (frame.lies_alike) return frame;
+  frame.part.uv = {}, frame.part.period = 1, frame.part.wrap = WrapMode::repeat;
+  frame.part.width = frame.part.height = least_texels;
+  for (const Part& part : parts) {
+    frame.part.width = std::max(frame.part.width, texels_of(part, 0));
+    frame.part.height = std::max(frame.part.height, texels_of(part, 1));
+  }
   return frame;
 }
 

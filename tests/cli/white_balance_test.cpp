@@ -14,7 +14,7 @@ TEST_CASE("the daylight that a scene's film names is white in its pictures, and 
       "Shape \"sphere\"";
   const auto path = [&](const std::string& name) { return quoted(folder.file(name)); };
   write_text(folder.file("warm.pbrt"), "Film \"rgb\" \"float whitebalance\" 4500 " + world);
-  write_text(folder.file("plain.pbrt"), world);
+  write_text(folder.file("plain.pbrt"), "Film \"rgb\" " + world);
   const auto render = [&](const std::string& scene, const std::string& options) {
     run_well("render " + path(scene + ".pbrt") + " -q -s 2 -r 16 12 " + options);
   };

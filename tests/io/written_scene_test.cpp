@@ -132,6 +132,44 @@ TEST_CASE(
   CHECK_FALSE(bake(textures, 2).is_exact);
 }
 
+TEST_CASE(
+    "boards and pictures that lie differently are drawn with texels enough to show each of their squares") {
+  Image dots(4, 4);
+  for (std::size_t i = 0; i < 16; ++i) dots.pixels[i] = {i % 3 == 0 ? 1.0f : 0.25f, 1, 1};
+  const std::vector<Texture> textures{{"", ConstantTexture{{0.25f, 1, 1}}},
+                                      {"", ConstantTexture{white}},
+                                      {"", CheckerboardTexture{0, 1, {{{3, 0, 0.3f}, {0, 5, 0.7f}}}}},
+                                      {"", CheckerboardTexture{0, 1, {{{0, 7, 0}, {2, 0, 0}}}}},
+                                      {"", ImageTexture{std::make_shared<const MipMap>(dots),
+                                                        WrapMode::repeat,
+                                                        TextureFilter::nearest,
+                                                        {{{20, 0, 0}, {0, 20, 0}}}}},
+                                      {"", ScaleTexture{2, 3}},
+                                      {"", ScaleTexture{3, 4}}};
+  for (const std::uint32_t product : {5u, 6u}) {
+    const BakedTexture baked = bake(textures, product);
+    CHECK_FALSE(baked.is_exact);
+    const std::vector<Texture> picture{{"", ImageTexture{std::make_shared<const MipMap>(baked.picture),
+                                                         baked.wrap, baked.filter, baked.uv}}};
+    int different = 0;
+    constexpr int points = 200;
+    for (int i = 0; i < points * points; ++i) {
+      const TexturePoint at{
+          .uv = {(float(i % points) + 0.37f) / points, (float(i / points) + 0.61f) / points}};
+      different += evaluate(textures, product, at) != evaluate(picture, 0, at);
+    }
+    CHECK(different < points * points / 10);  // Along edges.
+  }
+}
+
+TEST_CASE("a picture of what lies differently has a bound, however often its parts repeat") {
+  const std::vector<Texture> textures{{"", ConstantTexture{white}},
+                                      {"", CheckerboardTexture{0, 0, {{{1e6f, 0, 0}, {0, 1e6f, 0}}}}},
+                                      {"", CheckerboardTexture{0, 0, {}}},
+                                      {"", ScaleTexture{1, 2}}};
+  CHECK(bake(textures, 3).picture.width == 2048);
+}
+
 TEST_CASE("a sky of latitude and longitude that is drawn anew has the same colors in the same directions") {
   Image map(64, 32);
   for (int y = 0; y < 32; ++y)

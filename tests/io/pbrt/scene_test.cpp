@@ -322,6 +322,11 @@ TEST_CASE("film, sampler and integrator are defaults of the picture") {
   CHECK(defaults.resolution->width == 300);
   CHECK(defaults.resolution->height == 200);
   CHECK(*defaults.crop == std::array{150, 0, 150, 50});
+  const RenderDefaults tenths = load_pbrt_text(
+                                    "Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 100 "
+                                    "\"float cropwindow\" [ 0.1 0.9 0.2 0.8 ] WorldBegin")
+                                    .defaults;
+  CHECK(*tenths.crop == std::array{10, 20, 80, 60});
   CHECK(*defaults.samples == 7);
   CHECK(*defaults.max_depth == 9);
   const RenderDefaults none = load_pbrt_text("WorldBegin").defaults;
