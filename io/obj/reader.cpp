@@ -181,6 +181,7 @@ class Reader {
       self(reader).take_materials({materials, std::size_t(count)});
     };
     calls.group_cb = [](void* reader, const char** names, int count) {
+      self(reader).end_group(self(reader).lines_.begin());
       self(reader).group_ = fmt::format("{}", fmt::join(names, names + count, " "));
     };
     calls.object_cb = [](void* reader, const char* name) {
@@ -282,8 +283,9 @@ class Reader {
       return std::all_of(corners_.begin(), corners_.end(),
                          [&](const Corner& corner) { return corner[part] != 0; });
     };
-    ObjFaces& faces = faces_of(all(2), all(1));
     const std::size_t begin = lines_.begin();
+    end_group(begin);
+    ObjFaces& faces = faces_of(all(2), all(1));
     for (const auto& [vertex, uv, normal] : corners_) {
       if (vertex < 0 && std::size_t(-std::int64_t(vertex)) > model_.positions.size())
         fail(fmt::format("there is no element {} among the {} vertices so far", vertex,
@@ -294,6 +296,19 @@ class Reader {
       faces.corners.push_back(read);
     }
     faces.sizes.push_back(std::uint32_t(corners_.size()));
+  }
+
+  /// A line of "g" alone, which the library reads over, before that which begins here ends the group.
+  void end_group(std::size_t begin) {
+    for (; group_end_ < begin; group_end_ = bare_group(group_end_)) group_.clear();
+  }
+  /// Where the next such line begins.
+  std::size_t bare_group(std::size_t from) const {
+    for (std::size_t at = text_.find("\ng", from); at != text_.npos; at = text_.find("\ng", at + 1)) {
+      const std::size_t rest = text_.find_first_not_of(" \t", at + 2);
+      if (rest == text_.npos || text_[rest] == '\n' || text_[rest] == '\r') return at + 1;
+    }
+    return text_.npos;
   }
 
   ObjFaces& faces_of(bool has_normals, bool has_uvs) {
@@ -358,6 +373,7 @@ class Reader {
   std::vector<Corner> corners_;                     ///< Of the last face.
   Need positions_, normals_, uvs_;
   std::string object_, group_;
+  std::size_t group_end_ = bare_group(0);
   std::map<std::string, int> material_numbers_;  ///< By names without spaces around.
   int material_ = -1;
   std::map<std::tuple<std::string, std::string, int, bool, bool>, std::size_t> numbers_;

@@ -196,4 +196,11 @@ MUTANTS = [
     Mutant("what is left out is told for each list of faces", "io/ply/reader.cpp",
            "if (std::find(list.begin(), list.end(), what) == list.end()) list", "list", "test_io",
            "what a PLY file has and is not read is told"),
+    Mutant("a group goes on behind a line of g alone", "io/obj/reader.cpp",
+           "group_end_ = bare_group(group_end_)) group_.clear();",
+           "group_end_ = bare_group(group_end_)) group_ += \"\";", "test_io",
+           "a group ends where a line has g alone"),
+    Mutant("a line of g alone ends a group that begins behind it", "io/obj/reader.cpp",
+           "self(reader).end_group(self(reader).lines_.begin());", "", "test_io",
+           "a group ends where a line has g alone"),
 ]

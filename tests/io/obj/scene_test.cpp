@@ -86,6 +86,20 @@ TEST_CASE("a group ends where another object begins") {
   CHECK(mesh_of(loaded, 1).name == "house");
 }
 
+TEST_CASE("a group ends where a line has g alone") {
+  for (const std::string end : {"g\n", "g \t\r\n", "g\r\n", "g \n"}) {
+    const LoadedScene loaded =
+        load_obj_text(obj_square + "g wheel\nf 1 2 3\n" + end + "f 2 3 4\ng door\nf 1 2 3\n" + end +
+                      "g roof\nf 1 2 3\n" + end + end + "f 1 3 4\n");
+    REQUIRE(loaded.scene.geometry->shapes().size() == 4);
+    CHECK(mesh_of(loaded, 0).name == "wheel");
+    CHECK(mesh_of(loaded, 1).name == "scene");
+    CHECK(mesh_of(loaded, 1).triangles.size() == 2);
+    CHECK(mesh_of(loaded, 2).name == "door");
+    CHECK(mesh_of(loaded, 3).name == "roof");
+  }
+}
+
 TEST_CASE("what an OBJ file has beside faces is told") {
   const LoadedScene loaded =
       load_obj_text("v 0 0 0 0.5\n" + obj_square + "vn 0 0 0\nf 2 3\nf 2//1 3//1 4//1\n");
