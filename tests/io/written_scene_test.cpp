@@ -139,7 +139,7 @@ TEST_CASE(
   const std::vector<Texture> textures{{"", ConstantTexture{{0.25f, 1, 1}}},
                                       {"", ConstantTexture{white}},
                                       {"", CheckerboardTexture{0, 1, {{{3, 0, 0.3f}, {0, 5, 0.7f}}}}},
-                                      {"", CheckerboardTexture{0, 1, {{{0, 7, 0}, {2, 0, 0}}}}},
+                                      {"", CheckerboardTexture{0, 1, {{{0, 7, 0}, {45, 0, 0}}}}},
                                       {"", ImageTexture{std::make_shared<const MipMap>(dots),
                                                         WrapMode::repeat,
                                                         TextureFilter::nearest,
