@@ -13,7 +13,7 @@
 namespace twinray {
 namespace {
 
-/// Of a picture over the unit square, along an edge.
+/// Of a picture over the unit square, along an edge: the most where none of its parts has more.
 constexpr int least_texels = 64, most_texels = 2048;
 
 /// How one part of a texture lies over the surface.
@@ -31,7 +31,8 @@ struct Part {
 int texels_of(const Part& part, int axis) {
   const double columns = std::fabs(double(part.uv.m[0][axis])) * part.width,
                rows = std::fabs(double(part.uv.m[1][axis])) * part.height;
-  return int(std::min(std::ceil((columns + rows) * part.detail / part.period), double(most_texels)));
+  const int most = std::max(most_texels, axis == 0 ? part.width : part.height);
+  return int(std::min(std::ceil((columns + rows) * part.detail / part.period), double(most)));
 }
 
 bool lie_alike(const Part& a, const Part& b) { return a.wrap == b.wrap && a.uv == b.uv; }

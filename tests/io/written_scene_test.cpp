@@ -166,8 +166,11 @@ TEST_CASE("a picture of what lies differently has a bound, however often its par
   const std::vector<Texture> textures{{"", ConstantTexture{white}},
                                       {"", CheckerboardTexture{0, 0, {{{1e6f, 0, 0}, {0, 1e6f, 0}}}}},
                                       {"", CheckerboardTexture{0, 0, {}}},
-                                      {"", ScaleTexture{1, 2}}};
+                                      {"", ScaleTexture{1, 2}},
+                                      {"", ImageTexture{std::make_shared<const MipMap>(Image(3000, 2))}},
+                                      {"", ScaleTexture{1, 4}}};
   CHECK(bake(textures, 3).picture.width == 2048);
+  CHECK(bake(textures, 5).picture.width == 3000);  // A picture keeps its texels.
 }
 
 TEST_CASE("a sky of latitude and longitude that is drawn anew has the same colors in the same directions") {

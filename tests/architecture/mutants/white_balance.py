@@ -44,7 +44,7 @@ MUTANTS = [
     Mutant("a turned board is drawn as if it were not", "io/picture/baked_texture.cpp",
            "std::fabs(double(part.uv.m[1][axis])) * part.height", "0 * part.height", "test_io", BAKED),
     Mutant("a picture that repeats without end is drawn so", "io/picture/baked_texture.cpp",
-           "double(most_texels))", "4096.0)", "test_io",
+           "double(most)));", "4096.0));", "test_io",
            "a picture of what lies differently has a bound, however often its parts repeat"),
     Mutant("a crop window is that of the nearest doubles", "io/pbrt/camera.cpp",
            "double(float(i < 2 ? size.width : size.height) * part[i])",
