@@ -53,7 +53,10 @@ class Reader {
   }
 
   SquareTable<float> table(const std::string& field, const Shape& shape) const {
-    return make_table(field, shape, file_.floats(field));
+    std::vector<float> values = file_.floats(field);
+    for (float& value : values)
+      if (value < 0) value = 0;
+    return make_table(field, shape, std::move(values));
   }
   template <typename Value>
   SquareTable<Value> make_table(const std::string& field, const Shape& shape,
@@ -95,10 +98,9 @@ class Reader {
       for (std::size_t node = 0; node < nodes; ++node) {
         std::array<double, 3> sum{};
         for (std::size_t c = 0; c < channels; ++c)
-          for (std::size_t k = 0; k < 3; ++k)
-            sum[k] += weights[c][k] * double(values[(slice * channels + c) * nodes + node]);
-        // Of NaN it stays NaN: the material refuses it.
-        const auto positive = [](double x) { return x < 0 ? 0.0f : float(x); };
+          if (const float value = values[(slice * channels + c) * nodes + node]; value > 0)
+            for (std::size_t k = 0; k < 3; ++k) sum[k] += weights[c][k] * double(value);
+        const auto positive = [](double x) { return x > 0 ? float(x) : 0.0f; };
         sums.push_back({positive(sum[0]), positive(sum[1]), positive(sum[2])});
       }
     return make_table(field, shape, std::move(sums));

@@ -22,21 +22,24 @@ struct BrdfFields {
   TensorFile::Shape ndf{2, 2}, sigma{2, 2}, vndf{1, 1, 2, 2}, luminance{1, 1, 2, 2}, spectra{1, 1, 3, 2, 2};
   std::vector<float> values = std::vector<float>(12, 1.0f);
   const char* colors = "spectra";
+  std::string negative = {};  ///< The table whose second number is -0.1.
   std::string_view jacobian{"\1", 1};
 
   std::string bytes() const {
-    const auto ones = [](const TensorFile::Shape& shape) {
+    const auto ones = [&](const char* table, const TensorFile::Shape& shape) {
       std::uint64_t size = 1;
       for (const std::uint64_t each : shape) size *= each;
-      return std::vector<float>(size, 1.0f);
+      std::vector<float> numbers(size, 1.0f);
+      if (negative == table) numbers[1] = -0.1f;
+      return numbers;
     };
     TensorFileWriter file;
     file.add("phi_i", {phi.size()}, phi);
     file.add("theta_i", {theta.size()}, theta);
-    file.add("ndf", ndf, ones(ndf));
-    file.add("sigma", sigma, ones(sigma));
-    file.add("vndf", vndf, ones(vndf));
-    file.add("luminance", luminance, ones(luminance));
+    file.add("ndf", ndf, ones("ndf", ndf));
+    file.add("sigma", sigma, ones("sigma", sigma));
+    file.add("vndf", vndf, ones("vndf", vndf));
+    file.add("luminance", luminance, ones("luminance", luminance));
     file.add(colors, spectra, values);
     file.add("wavelengths", {wavelengths.size()}, wavelengths);
     file.add("jacobian", jacobian);
@@ -104,6 +107,23 @@ TEST_CASE("spectra are colors under daylight: a constant one is its number, and 
   const Rgb blue = only_color(fields);
   CHECK((blue.b > 0.4f && blue.b > 10 * std::fabs(blue.g)));
   CHECK(blue.g >= 0);  // A color that sRGB does not have.
+  // What noise made negative is 0 at its wavelength, and so is what is no number.
+  for (const float nothing : {-0.5f, NAN}) {
+    for (std::size_t i = 0; i < fields.values.size(); ++i) fields.values[i] = i / 4 == 2 ? 1.0f : nothing;
+    CHECK(only_color(fields) == red);
+  }
+}
+
+TEST_CASE("numbers of tables that noise made negative are 0") {
+  for (const char* table : {"ndf", "sigma", "vndf", "luminance"}) {
+    BrdfFields fields;
+    fields.negative = table;
+    const MeasuredBrdf brdf = read_brdf_file(fields.bytes(), "a.bsdf");
+    int zeros = 0;
+    for (const SquareTable<float>* each : {&brdf.ndf(), &brdf.sigma(), &brdf.vndf(), &brdf.luminance()})
+      zeros += each->node(0, 1, 0) == 0;
+    CHECK(zeros == 1);
+  }
 }
 
 TEST_CASE("weights of wavelengths sum up to one in each channel, of one wavelength alone, too") {
@@ -134,7 +154,7 @@ TEST_CASE("a file of a measured material that cannot be is refused with what is 
         "a.bsdf: the field \"rgb\" has 2 channels; it needs 3");
   CHECK(brdf_error({.colors = "colours"}) == "a.bsdf: the field \"spectra\" is missing");
   CHECK(brdf_error({.jacobian = "ab"}) == "a.bsdf: the field \"jacobian\" must be one byte");
-  CHECK(brdf_error({.values = std::vector<float>(12, NAN)}) ==
+  CHECK(brdf_error({.values = std::vector<float>(12, INFINITY)}) ==
         "a.bsdf: what a measured material reflects is negative or not finite");
   CHECK(brdf_error({.theta = {2}}) ==
         "a.bsdf: the angles of a measurement's theta do not increase within their range");
