@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/error.h"
@@ -98,8 +99,10 @@ class Reader {
       for (std::size_t node = 0; node < nodes; ++node) {
         std::array<double, 3> sum{};
         for (std::size_t c = 0; c < channels; ++c)
-          if (const float value = values[(slice * channels + c) * nodes + node]; value > 0)
+          if (const float value = values[(slice * channels + c) * nodes + node]; value > 0) {
+            if (std::isinf(value)) file_.fail(field, "has a number that is infinite");
             for (std::size_t k = 0; k < 3; ++k) sum[k] += weights[c][k] * double(value);
+          }
         const auto positive = [](double x) { return x > 0 ? float(x) : 0.0f; };
         sums.push_back({positive(sum[0]), positive(sum[1]), positive(sum[2])});
       }

@@ -155,7 +155,7 @@ TEST_CASE("a file of a measured material that cannot be is refused with what is 
   CHECK(brdf_error({.colors = "colours"}) == "a.bsdf: the field \"spectra\" is missing");
   CHECK(brdf_error({.jacobian = "ab"}) == "a.bsdf: the field \"jacobian\" must be one byte");
   CHECK(brdf_error({.values = std::vector<float>(12, INFINITY)}) ==
-        "a.bsdf: what a measured material reflects is negative or not finite");
+        "a.bsdf: the field \"spectra\" has a number that is infinite");
   CHECK(brdf_error({.theta = {2}}) ==
         "a.bsdf: the angles of a measurement's theta do not increase within their range");
   std::vector<float> many(4097);
