@@ -104,6 +104,7 @@ set(private_headers
   integrators/wave/facets-inl.h
   integrators/wave/fetch-inl.h
   integrators/wave/follow_together.h
+  integrators/wave/lambert-inl.h
   integrators/wave/lamps-inl.h
   integrators/wave/lanes-inl.h
   integrators/wave/light-inl.h
@@ -111,6 +112,7 @@ set(private_headers
   integrators/wave/lobe_surfaces.h
   integrators/wave/lobes-inl.h
   integrators/wave/metals-inl.h
+  integrators/wave/principled-inl.h
   integrators/wave/patches-inl.h
   integrators/wave/path_wave.h
   integrators/wave/receivers-inl.h

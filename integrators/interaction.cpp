@@ -78,9 +78,7 @@ Interaction::Interaction(const BsdfTable& bsdfs, const SurfacePoint& point, cons
       before_(viewing.interiors),
       behind_(behind(bsdfs.scene().materials[material_], material_, meeting.side, meeting.within)),
       side_(meeting.side),
-      is_fibre_(std::holds_alternative<Hair>(bsdfs.scene().materials[material_].model)) {
-  bsdf_.look_from(wo_local_);
-}
+      is_fibre_(std::holds_alternative<Hair>(bsdfs.scene().materials[material_].model)) {}
 
 Interaction::Interaction(PhaseFunction phase, std::uint32_t material, const SurfacePoint& point,
                          const Vec3& wo, const Interiors& interiors)

@@ -36,6 +36,8 @@ class Interaction {
   /// From now on light that goes below the surface (core/subsurface.h) is none that this scatters: where
   /// goes_below(lobe), the path goes there.
   void keep_above() { part_ = Part::above; }
+  /// Works out beforehand what is the same for all directions of light; changes no bit.
+  void look_ahead() { bsdf_.look_from(wo_local_); }
 
   bool is_in_medium() const { return phase_.has_value(); }
   /// In a medium it is a point that rays leave as they are.
@@ -96,7 +98,11 @@ class Interaction {
   /// to 0 where the geometry no longer sees it (core/shadow_terminator.h); without a map 1.
   float kept(const Vec3& wi) const {
     if (!shading_.is_mapped) return 1;
-    return shadow_terminator(std::fabs(dot(facing_normal_, wi)), dot(facing_normal_, shading_.frame.normal));
+    return shadow_terminator(std::fabs(dot(facing_normal_, wi)), terminator_alpha_squared());
+  }
+  /// Of shadow_terminator(); without a map 0, with which that is 1.
+  float terminator_alpha_squared() const {
+    return is_mapped() ? twinray::terminator_alpha_squared(dot(facing_normal_, normal())) : 0;
   }
   /// Whether a direction lies on one side of both the shading and the geometric normal; a fibre has no sides.
   bool is_consistent(const Vec3& wi) const {

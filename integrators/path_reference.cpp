@@ -154,6 +154,7 @@ Interaction PathReference::arrive(const End& end, const VertexSampler& sampler, 
   const SurfacePoint point = seen_point(scene_, end.hit, path.ray.direction, sampler, path.cone);
   Interaction at(bsdfs_, point, wo, path.viewing);
   if (goes_below(scene_, at)) at.keep_above();
+  at.look_ahead();
   return at;
 }
 

@@ -174,6 +174,20 @@ void PrincipledLobe::set_film(const Principled& m) {
               channel(color.b, gloss_average_.b)};
 }
 
+std::optional<BarePrincipled> PrincipledLobe::bare() const {
+  const bool has_more = film_ || boundary_ || coat_ || fuzz_ || subsurface_weight_ > 0;
+  if (has_more || !facets_.has_one_alpha()) return std::nullopt;
+  return BarePrincipled{.metal = metal_ * specular_weight_,
+                        .opaque = opaque_,
+                        .metal_fresnel = metal_fresnel_,
+                        .multiple = multiple_,
+                        .metal_multiple = metal_multiple_,
+                        .gloss = gloss_,
+                        .specular_color = specular_color_,
+                        .diffuse = diffuse_,
+                        .rough = rough_};
+}
+
 Rgb PrincipledLobe::metal_reflectance(float cosine) const {
   const Rgb bare = metal_fresnel_(cosine);
   if (!film_ || metal_ == 0) return bare;

@@ -18,12 +18,28 @@ class TintedFresnel {
  public:
   /// Both in [0, 1].
   TintedFresnel(const Rgb& normal, const Rgb& rim);
+  const Rgb& normal() const { return normal_; }
+  /// What is taken away by the tint: the factor of cos (1 - cos)^6.
+  const Rgb& dip() const { return dip_; }
   Rgb operator()(float cosine) const;
   /// Of light from all directions: the integral of 2 cos F(cos).
   Rgb average() const;
 
  private:
   Rgb normal_, dip_;
+};
+
+/// A principled surface of metal and gloss alone: facets of one alpha, and nothing on them.
+struct BarePrincipled {
+  float metal;   ///< Weight of the metal's reflection,
+  float opaque;  ///< and of the glossy diffuse surface.
+  const TintedFresnel& metal_fresnel;
+  const MultipleScattering& multiple;
+  const Rgb& metal_multiple;  ///< A factor of what meets several facets of the metal.
+  const Coat& gloss;
+  const Rgb& specular_color;
+  const Rgb& diffuse;             ///< The radiosity below the gloss,
+  const RoughDiffuseLobe& rough;  ///< and its shape, white.
 };
 
 /// OpenPBR's surface (version 1.1): a metal, a glossy diffuse surface and a boundary to something clear,
@@ -35,6 +51,8 @@ class PrincipledLobe {
 
   /// Works out beforehand what depends on wo alone, for the calls with this wo that follow; changes no bit.
   void look_from(const Vec3& wo) { seen_ = seen(wo); }
+  /// All that it is made of, where that is no more than this; of parts of the lobe.
+  std::optional<BarePrincipled> bare() const;
 
   Rgb albedo() const;
   bool lets_light_through() const { return clear_ > 0; }

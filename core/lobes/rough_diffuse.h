@@ -15,6 +15,11 @@ class RoughDiffuseLobe {
   /// Albedo of one event of scattering, and roughness, in [0, 1]. Roughness 0 is Lambert's.
   RoughDiffuseLobe(const Rgb& reflectance, float roughness);
 
+  float roughness() const { return roughness_; }
+  float scale() const { return scale_; }
+  float average() const { return average_; }
+  const Rgb& multiple() const { return multiple_; }
+
   Rgb albedo() const;
   BsdfValue evaluate(const Vec3& wo, const Vec3& wi) const;
   BsdfSample sample(const Vec3& wo, float lobe, Vec2 u) const;

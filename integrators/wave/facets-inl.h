@@ -10,6 +10,7 @@
 
 #include "core/ggx_albedo_tables.h"
 #include "core/ggx_direction_tables.h"
+#include "integrators/wave/lobe_surfaces.h"
 #include "integrators/wave/warp-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,6 +18,12 @@ namespace twinray::HWY_NAMESPACE {
 
 using IndexTag = hn::RebindToSigned<FloatTag>;
 using IndexLanes = hn::Vec<IndexTag>;
+
+/// From number k on; 0 behind the last of them.
+HWY_ATTR HWY_INLINE IndexLanes indices(const Words& column, std::size_t k, std::size_t size) {
+  const auto words = hn::IfThenElseZero(hn::FirstN(WordTag(), size - k), load(column, k));
+  return hn::BitCast(IndexTag(), words);
+}
 
 /// std::min(1, a): 1 where a is NaN.
 HWY_ATTR HWY_INLINE Lanes not_above_1(Lanes a) { return select(hn::Lt(a, splat(1)), a, splat(1)); }
@@ -157,6 +164,10 @@ struct GgxLanes {
   }
 };
 
+HWY_ATTR HWY_INLINE GgxLanes ggx(const FacetColumns& alphas, std::size_t k) {
+  return {load(alphas.x, k), load(alphas.y, k)};
+}
+
 /// core/ggx_directions.h.
 HWY_ATTR HWY_INLINE Lanes ggx_loss_change(const GgxLanes& facets, Lanes alpha, const Lanes3& w) {
   constexpr int shares = tables::share_count, angles = tables::change_angle_count;
@@ -171,14 +182,53 @@ HWY_ATTR HWY_INLINE Lanes ggx_loss_change(const GgxLanes& facets, Lanes alpha, c
   return hn::Add(along, hn::Mul(added, azimuth.skew2));
 }
 
-/// MultipleScattering::loss.
-HWY_ATTR HWY_INLINE Lanes loss(const GgxLanes& facets, Lanes alpha, const Lanes3& w) {
-  const Lanes one_alpha = ggx_loss(w.z, alpha);
-  const LaneMask has_two = facets.has_two_alphas();
-  if (hn::AllFalse(FloatTag(), has_two)) return one_alpha;
-  const Lanes changed = hn::Add(one_alpha, ggx_loss_change(facets, alpha, w));
-  return select(has_two, not_above_1(positive(changed)), one_alpha);
-}
+/// MultipleScattering, and the lobe's factor of it.
+struct MultipleLanes {
+  GgxLanes facets;
+  Lanes alpha, average_loss;
+  Lanes3 factor;
+
+  HWY_ATTR HWY_INLINE MultipleLanes(const GgxLanes& of, const MultipleColumns& at, std::size_t k)
+      : facets(of),
+        alpha(load(at.alpha, k)),
+        average_loss(load(at.average_loss, k)),
+        factor(load(at.factor, k)) {}
+
+  HWY_ATTR HWY_INLINE Lanes loss(const Lanes3& w) const {
+    const Lanes one_alpha = ggx_loss(w.z, alpha);
+    const LaneMask has_two = facets.has_two_alphas();
+    if (hn::AllFalse(FloatTag(), has_two)) return one_alpha;
+    const Lanes changed = hn::Add(one_alpha, ggx_loss_change(facets, alpha, w));
+    return select(has_two, not_above_1(positive(changed)), one_alpha);
+  }
+  /// evaluate(), by the losses along both directions.
+  HWY_ATTR HWY_INLINE Lanes evaluate(Lanes loss_o, Lanes loss_i) const {
+    return hn::IfThenElseZero(is_positive(average_loss),
+                              hn::Div(hn::Mul(loss_o, loss_i), hn::Mul(splat(pi), average_loss)));
+  }
+};
+
+/// Coat.
+struct CoatLanes {
+  const float* rows;
+  IndexLanes row;
+  GgxLanes facets;
+  LaneMask is_smooth;
+  Lanes ior;
+
+  HWY_ATTR HWY_INLINE CoatLanes(const CoatColumns& at, std::size_t k, std::size_t size)
+      : rows(at.rows.front().data()),
+        row(indices(at.row, k, size)),
+        facets(ggx(at.facets, k)),
+        is_smooth(hn::Eq(facets.x, hn::Zero(FloatTag()))),
+        ior(load(at.ior, k)) {}
+
+  HWY_ATTR HWY_INLINE Lanes reflectance(Lanes cosine) const {
+    const Lanes rough = at(rows, row, TablePlaceLanes(hn::Sqrt(cosine), tables::cosine_count));
+    if (hn::AllFalse(FloatTag(), is_smooth)) return rough;
+    return select(is_smooth, fresnel_dielectric(cosine, ior), rough);
+  }
+};
 
 }  // namespace twinray::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

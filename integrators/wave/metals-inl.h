@@ -15,17 +15,17 @@ namespace twinray::HWY_NAMESPACE {
 
 class RoughConductorLanes {
  public:
+  static constexpr Seeking seeking = Seeking::all;
+
   /// The surfaces from number k on.
   HWY_ATTR HWY_INLINE RoughConductorLanes(const RoughConductorSurfaces& at, std::size_t k)
       : wo_(load(at.wo, k)),
-        facets_{load(at.alpha_x, k), load(at.alpha_y, k)},
+        facets_(ggx(at.facets, k)),
         eta_(load(at.eta, k)),
         k_(load(at.k, k)),
         reflectance_(load(at.reflectance, k)),
-        multiple_factor_(load(at.multiple_factor, k)),
-        alpha_(load(at.loss_alpha, k)),
-        average_loss_(load(at.average_loss, k)),
-        loss_(loss(facets_, alpha_, wo_)) {
+        multiple_(facets_, at.multiple, k),
+        loss_(multiple_.loss(wo_)) {
     const Lanes once = hn::Mul(hn::Sub(splat(1), loss_), load(at.most_once, k));
     const Lanes more = hn::Mul(loss_, load(at.most_multiple, k));
     multiple_probability_ = hn::IfThenElseZero(is_positive(more), hn::Div(more, hn::Add(once, more)));
@@ -37,13 +37,9 @@ class RoughConductorLanes {
                          fresnel_conductor(facets.cosine, eta_.y, k_.y),
                          fresnel_conductor(facets.cosine, eta_.z, k_.z)};
     const Lanes3 once = reflectance_ * fresnel * facets.value;
-    const Lanes losses = hn::Mul(loss_, loss(facets_, alpha_, wi));
-    const Lanes multiple =
-        hn::IfThenElseZero(is_positive(average_loss_), hn::Div(losses, hn::Mul(splat(pi), average_loss_)));
-    const Lanes3 more = reflectance_ * multiple_factor_ * multiple;
-    const Lanes cosine_pdf = hn::Div(positive(wi.z), splat(pi));
+    const Lanes3 more = reflectance_ * multiple_.factor * multiple_.evaluate(loss_, multiple_.loss(wi));
     const Lanes pdf = hn::Add(hn::Mul(hn::Sub(splat(1), multiple_probability_), facets.pdf),
-                              hn::Mul(multiple_probability_, cosine_pdf));
+                              hn::Mul(multiple_probability_, cosine_hemisphere_pdf(wi.z)));
     const LaneMask reflects = hn::And(is_positive(wo_.z), is_positive(wi.z));
     return {zero_unless(reflects, once + more), hn::IfThenElseZero(reflects, pdf)};
   }
@@ -60,9 +56,9 @@ class RoughConductorLanes {
  private:
   Lanes3 wo_;
   GgxLanes facets_;
-  Lanes3 eta_, k_, reflectance_, multiple_factor_;
-  Lanes alpha_, average_loss_;  ///< Of MultipleScattering;
-  Lanes loss_;                  ///< its loss towards wo,
+  Lanes3 eta_, k_, reflectance_;
+  MultipleLanes multiple_;
+  Lanes loss_;                  ///< Its loss towards wo,
   Lanes multiple_probability_;  ///< and the probability of sampling it.
 };
 

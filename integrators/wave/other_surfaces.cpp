@@ -13,8 +13,10 @@ namespace twinray {
 
 template <typename F>
 void PathWave::for_each_lobe(F&& f) {
+  f(wave_.lambert, stages_.lambert);
   f(wave_.coated_diffuse, stages_.coated_diffuse);
   f(wave_.rough_conductor, stages_.rough_conductor);
+  f(wave_.principled, stages_.principled);
 }
 
 bool PathWave::is_listed(OtherSurface& other) {
@@ -23,16 +25,18 @@ bool PathWave::is_listed(OtherSurface& other) {
     return false;
   }
   const Bsdf& bsdf = other.at.bsdf();
-  if (other.at.is_mapped()) return false;
-  const auto* const lobe = bsdf.as<CoatedDiffuseLobe>();
-  if (lobe && !lobe->coat().is_smooth() && !lobe->coat().facets().has_one_alpha()) return false;
-  if (lobe)
-    wave_.coated_diffuse.add(other.index, other.at, *lobe);
-  else if (const auto* const metal = bsdf.as<RoughConductorLobe>())
-    wave_.rough_conductor.add(other.index, other.at, *metal);
-  else
-    return false;
-  return true;
+  const auto list = [&](auto& surfaces, const auto& lobe) {
+    surfaces.add(other.index, other.at, lobe);
+    return true;
+  };
+  if (const auto* const lambert = bsdf.as<LambertLobe>()) return list(wave_.lambert, *lambert);
+  if (const auto* const metal = bsdf.as<RoughConductorLobe>()) return list(wave_.rough_conductor, *metal);
+  if (const auto* const lobe = bsdf.as<CoatedDiffuseLobe>())
+    return (lobe->coat().is_smooth() || lobe->coat().facets().has_one_alpha()) &&
+           list(wave_.coated_diffuse, *lobe);
+  const auto* const principled = bsdf.as<PrincipledLobe>();
+  const auto bare = principled ? principled->bare() : std::nullopt;
+  return bare && list(wave_.principled, *bare);
 }
 
 void PathWave::find_others() {
@@ -49,7 +53,9 @@ void PathWave::find_others() {
           i, Interaction::in_medium(context_.transport.scene, surfaces_.point.position.at(i), wo, viewing));
     else
       wave_.others.emplace_back(i, context_.bsdfs, found_surface(i), wo, viewing);
-    if (!is_listed(wave_.others.back())) wave_.alone.push_back(std::uint32_t(wave_.others.size() - 1));
+    if (is_listed(wave_.others.back())) continue;
+    wave_.others.back().at.look_ahead();
+    wave_.alone.push_back(std::uint32_t(wave_.others.size() - 1));
   }
 }
 

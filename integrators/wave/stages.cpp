@@ -12,11 +12,13 @@
 #include "integrators/wave/camera-inl.h"
 #include "integrators/wave/coats-inl.h"
 #include "integrators/wave/draws-inl.h"
+#include "integrators/wave/lambert-inl.h"
 #include "integrators/wave/lamps-inl.h"
 #include "integrators/wave/light-inl.h"
 #include "integrators/wave/light_tree-inl.h"
 #include "integrators/wave/metals-inl.h"
 #include "integrators/wave/patches-inl.h"
+#include "integrators/wave/principled-inl.h"
 #include "integrators/wave/scatter-inl.h"
 #include "integrators/wave/sphere_light-inl.h"
 #include "integrators/wave/surfaces-inl.h"
@@ -52,8 +54,10 @@ WaveStages stages() {
           keep_paths,
           move_up_words,
           move_up_floats,
+          lobe_stages<LambertLanes, LambertSurfaces>(),
           lobe_stages<CoatedDiffuseLanes, CoatedDiffuseSurfaces>(),
-          lobe_stages<RoughConductorLanes, RoughConductorSurfaces>()};
+          lobe_stages<RoughConductorLanes, RoughConductorSurfaces>(),
+          lobe_stages<PrincipledLanes, PrincipledSurfaces>()};
 }
 
 }  // namespace

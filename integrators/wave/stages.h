@@ -75,8 +75,10 @@ struct WaveStages {
   /// Moves numbers kept[0] < kept[1] < ... of a column to its front.
   void (*move_up_words)(const Words& kept, std::size_t size, Words& column);
   void (*move_up_floats)(const Words& kept, std::size_t size, Floats& column);
+  LobeStages<LambertSurfaces> lambert;
   LobeStages<CoatedDiffuseSurfaces> coated_diffuse;
   LobeStages<RoughConductorSurfaces> rough_conductor;
+  LobeStages<PrincipledSurfaces> principled;
 };
 
 /// Those that this machine can run, the fastest first; none where it has no such instruction set.

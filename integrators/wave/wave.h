@@ -167,8 +167,10 @@ struct Wave {
   std::vector<OtherSurface> others;         ///< In the order of the surfaces.
   std::vector<std::uint32_t> alone;         ///< Which of these no lanes know.
   std::vector<std::uint32_t> placed_alone;  ///< The surfaces whose points no lanes find.
-  CoatedDiffuseSurfaces coated_diffuse;     ///< Those that lanes know, by their lobes.
+  LambertSurfaces lambert;                  ///< Those that lanes know, by their lobes.
+  CoatedDiffuseSurfaces coated_diffuse;
   RoughConductorSurfaces rough_conductor;
+  PrincipledSurfaces principled;
   std::vector<BodyWalk> walks;       ///< Of the paths that have gone into bodies from their last surfaces.
   std::vector<PassingPath> passing;  ///< Rays of paths, or towards lights, between surfaces.
   std::vector<std::uint32_t> going;  ///< Which of either go on,

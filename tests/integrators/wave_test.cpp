@@ -176,19 +176,24 @@ TEST_CASE("waves of paths have the bits and the rays of paths one after the othe
   const Scene room = small_room(), skies = scene_under_skies();
   const Scene textures = textured(scene_of_every_model(), TextureFilter::stochastic),
               many = scene_of_many_lights(),
-              lamps = textured(scene_of_everything(), TextureFilter::trilinear),
+              lamps = textured(scene_of_everything(), TextureFilter::trilinear), maps = mapped(textures),
               interiors = scene_of_interiors(), closed = scene_without_passages();
   const Scene media = scene_in_media(), bodies = scene_with_bodies(),
               textured_bodies = textured(scene_with_bodies(), TextureFilter::trilinear);
   const Scene instances = instanced(everything), textured_instances = instanced(textures);
-  const Scene* const scenes[] = {
-      &instances, &textured_instances, &everything, &models, &room,   &skies,          &textures, &lamps,
-      &many,      &interiors,          &closed,     &media,  &bodies, &textured_bodies};
+  const Scene* const scenes[] = {&instances,      &textured_instances,
+                                 &everything,     &models,
+                                 &room,           &skies,
+                                 &textures,       &lamps,
+                                 &many,           &maps,
+                                 &interiors,      &closed,
+                                 &media,          &bodies,
+                                 &textured_bodies};
   for (std::size_t i = 0; i < std::size(cases); ++i)
     for (std::size_t j = 0; j < std::size(scenes); ++j) {
       // A whole wave, and a part of the next.
       std::uint32_t count = cases[i].samples_per_light > 100 ? 8 : 640;
-      if (scenes[j] == &textured_instances) count = std::min(count, 500u);
+      if (scenes[j] == &textured_instances || scenes[j] == &maps) count = std::min(count, 500u);
       // Who draws the numbers does not depend on who uses them: by turns, but for the usual options.
       for (int k = 0; k < 2; ++k)
         if (i == 0 || (i + j) % 2 == std::size_t(k)) check_bits(*scenes[j], cases[i], count, samplers[k]);

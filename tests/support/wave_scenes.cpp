@@ -7,6 +7,7 @@
 
 #include "core/textured_material.h"
 #include "tests/support/measured_facets.h"
+#include "tests/support/principled_models.h"
 #include "tests/support/random.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shapes.h"
@@ -153,6 +154,17 @@ Scene scene_of_every_model() {
                                  CoatedConductor{.roughness = {0.3f, 0.3f}, .coat_roughness = {0.2f, 0.2f}},
                                  measured_material({0.9f, 0.6f, 0.3f}),
                                  measured_material({0.4f, 0.6f, 0.9f}, 5),
+                                 Principled{.base_color = {0.8f, 0.5f, 0.2f}},
+                                 Principled{.base_diffuse_roughness = 0.7f,
+                                            .base_metalness = 0.4f,
+                                            .specular_weight = 0.8f,
+                                            .specular_color = {0.9f, 0.7f, 1},
+                                            .specular_roughness = 0.5f},
+                                 Principled{.base_metalness = 1, .specular_roughness = 0.7f},
+                                 brushed(),
+                                 varnished(),
+                                 oiled(),
+                                 clear(),
                                  Mix{0, 4, 0.3f}};
   std::vector<Shape> shapes = scene.geometry->shapes();
   std::uint64_t seed = 20;
@@ -228,7 +240,8 @@ Scene scene_with_bodies() {
   float radius = 0.02f;
   for (Material& material : scene.materials) {
     const auto* const principled = std::get_if<Principled>(&material.model);
-    if (!std::holds_alternative<CoatedDiffuse>(material.model) && !principled) continue;
+    const bool has_body = principled && principled->subsurface_weight > 0;
+    if (!std::holds_alternative<CoatedDiffuse>(material.model) && !has_body) continue;
     material.subsurface = {{radius, 2 * radius, 0.3f * radius}, 0.5f - radius};
     radius *= 3;
   }
@@ -284,6 +297,14 @@ Scene textured(Scene scene, TextureFilter filter) {
         material.textures.push_back({input, cycle[next++ % 6]});
   for (Light& light : scene.lights)
     if (auto* const mesh = std::get_if<MeshLight>(&light.source)) mesh->picture = random_square();
+  check_scene(scene);
+  return scene;
+}
+
+Scene mapped(Scene scene) {
+  constexpr std::uint32_t picture = 1;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    (i % 3 == 0 ? scene.materials[i].bump_map : scene.materials[i].normal_map) = picture;
   check_scene(scene);
   return scene;
 }

@@ -26,5 +26,7 @@ Scene scene_with_bodies();
 Scene scene_of_many_lights();
 /// The same, every input of every material by a texture, and meshes that emit by a picture.
 Scene textured(Scene scene, TextureFilter filter);
+/// The same of a textured scene, with maps that bend all normals.
+Scene mapped(Scene scene);
 
 }  // namespace twinray::test

@@ -125,9 +125,8 @@ MUTANTS = [
            "return reflectance(w.z);",
            "test_core", "a white surface below a coat of two alphas passes the furnace"),
     Mutant("lanes take coats of two alphas for such of one", "integrators/wave/other_surfaces.cpp",
-           "  if (lobe && !lobe->coat().is_smooth() && !lobe->coat().facets().has_one_alpha()) "
-           "return false;\n",
-           "", "test_integrators",
+           "return (lobe->coat().is_smooth() || lobe->coat().facets().has_one_alpha()) &&", "return",
+           "test_integrators",
            "waves of paths have the bits and the rays of paths one after the other"),
     Mutant("all that a mixed surface scatters is glossy", "core/lobes/coated_diffuse.cpp",
            "return base_ * (coat_.transmittance(wo) * coat_.transmittance(wi) / pi);\n}\n\nBelowSurface",
