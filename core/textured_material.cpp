@@ -60,34 +60,52 @@ void assign(Thickness target, const Value& value) { target.micrometers = value.t
 /// The members that Principled alone has.
 template <typename Use>
 bool with_principled_input(Principled& model, MaterialInput input, const Use& use) {
-  constexpr std::pair<MaterialInput, float Principled::*> numbers[] = {
-      {MaterialInput::base_weight, &Principled::base_weight},
-      {MaterialInput::base_diffuse_roughness, &Principled::base_diffuse_roughness},
-      {MaterialInput::base_metalness, &Principled::base_metalness},
-      {MaterialInput::subsurface_weight, &Principled::subsurface_weight},
-      {MaterialInput::specular_weight, &Principled::specular_weight},
-      {MaterialInput::roughness, &Principled::specular_roughness},
-      {MaterialInput::specular_roughness_anisotropy, &Principled::specular_roughness_anisotropy},
-      {MaterialInput::transmission_weight, &Principled::transmission_weight},
-      {MaterialInput::coat_weight, &Principled::coat_weight},
-      {MaterialInput::coat_roughness, &Principled::coat_roughness},
-      {MaterialInput::coat_darkening, &Principled::coat_darkening},
-      {MaterialInput::fuzz_weight, &Principled::fuzz_weight},
-      {MaterialInput::fuzz_roughness, &Principled::fuzz_roughness},
-      {MaterialInput::thin_film_weight, &Principled::thin_film_weight}};
-  constexpr std::pair<MaterialInput, Rgb Principled::*> colors[] = {
-      {MaterialInput::reflectance, &Principled::base_color},
-      {MaterialInput::subsurface_color, &Principled::subsurface_color},
-      {MaterialInput::specular_color, &Principled::specular_color},
-      {MaterialInput::transmission_color, &Principled::transmission_color},
-      {MaterialInput::coat_color, &Principled::coat_color},
-      {MaterialInput::fuzz_color, &Principled::fuzz_color}};
-  for (const auto& [name, member] : numbers)
-    if (name == input) return use(model.*member), true;
-  for (const auto& [name, member] : colors)
-    if (name == input) return use(model.*member), true;
-  if (input == MaterialInput::thin_film_thickness) return use(Thickness{model.thin_film_thickness}), true;
-  return false;
+  switch (input) {
+    case MaterialInput::base_weight:
+      return use(model.base_weight), true;
+    case MaterialInput::base_diffuse_roughness:
+      return use(model.base_diffuse_roughness), true;
+    case MaterialInput::base_metalness:
+      return use(model.base_metalness), true;
+    case MaterialInput::subsurface_weight:
+      return use(model.subsurface_weight), true;
+    case MaterialInput::specular_weight:
+      return use(model.specular_weight), true;
+    case MaterialInput::roughness:
+      return use(model.specular_roughness), true;
+    case MaterialInput::specular_roughness_anisotropy:
+      return use(model.specular_roughness_anisotropy), true;
+    case MaterialInput::transmission_weight:
+      return use(model.transmission_weight), true;
+    case MaterialInput::coat_weight:
+      return use(model.coat_weight), true;
+    case MaterialInput::coat_roughness:
+      return use(model.coat_roughness), true;
+    case MaterialInput::coat_darkening:
+      return use(model.coat_darkening), true;
+    case MaterialInput::fuzz_weight:
+      return use(model.fuzz_weight), true;
+    case MaterialInput::fuzz_roughness:
+      return use(model.fuzz_roughness), true;
+    case MaterialInput::thin_film_weight:
+      return use(model.thin_film_weight), true;
+    case MaterialInput::reflectance:
+      return use(model.base_color), true;
+    case MaterialInput::subsurface_color:
+      return use(model.subsurface_color), true;
+    case MaterialInput::specular_color:
+      return use(model.specular_color), true;
+    case MaterialInput::transmission_color:
+      return use(model.transmission_color), true;
+    case MaterialInput::coat_color:
+      return use(model.coat_color), true;
+    case MaterialInput::fuzz_color:
+      return use(model.fuzz_color), true;
+    case MaterialInput::thin_film_thickness:
+      return use(Thickness{model.thin_film_thickness}), true;
+    default:
+      return false;
+  }
 }
 
 /// The inputs of a roughness of two axes.
