@@ -284,15 +284,47 @@ std::span<const float> PbrtParameters::tuples(const char* name, std::size_t dime
   return found ? reals(*found) : std::span<const float>();
 }
 
+bool PbrtParameters::was_asked(const PbrtParameter& parameter) const {
+  return std::find(asked_.begin(), asked_.end(), parameter.name) != asked_.end();
+}
+
+namespace {
+
+void warn_of(const PbrtParameter& parameter, const char* where, const std::string& nearest,
+             WarningList& warnings) {
+  parameter.place.warn(warnings, fmt::format("\"{} {}\" is not known {}, and left out{}",
+                                             PbrtParameters::type_name(parameter.type), parameter.name, where,
+                                             nearest.empty() ? "" : fmt::format("; \"{}\" is", nearest)));
+}
+
+}  // namespace
+
 void PbrtParameters::warn_of_unused(WarningList& warnings) const {
-  for (const PbrtParameter& parameter : parameters_) {
-    if (std::find(asked_.begin(), asked_.end(), parameter.name) != asked_.end()) continue;
-    const std::vector<std::string_view> known(asked_.begin(), asked_.end());
-    const std::string nearest = nearest_name(parameter.name, known);
-    parameter.place.warn(
-        warnings, fmt::format("\"{} {}\" is not known here, and left out{}", type_name(parameter.type),
-                              parameter.name, nearest.empty() ? "" : fmt::format("; \"{}\" is", nearest)));
+  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+  for (const PbrtParameter& parameter : parameters_)
+    if (!was_asked(parameter)) warn_of(parameter, "here", nearest_name(parameter.name, known), warnings);
+  if (defaults_) keep_use_of_defaults();
+}
+
+void PbrtParameters::keep_use_of_defaults() const {
+  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+  for (const PbrtParameter& parameter : defaults_->parameters_) {
+    PbrtDefaultUse& use = *parameter.use;
+    use.is_offered = true;
+    use.is_asked = use.is_asked || was_asked(parameter);
+    if (!use.is_asked && use.nearest.empty()) use.nearest = nearest_name(parameter.name, known);
   }
+}
+
+void PbrtParameters::watch() {
+  for (PbrtParameter& parameter : parameters_)
+    if (!parameter.use) parameter.use = std::make_shared<PbrtDefaultUse>();
+}
+
+void PbrtParameters::warn_of_unused_defaults(WarningList& warnings) const {
+  for (const PbrtParameter& parameter : parameters_)
+    if (const PbrtDefaultUse& use = *parameter.use; use.is_offered && !use.is_asked)
+      warn_of(parameter, "to what it is a default for", use.nearest, warnings);
 }
 
 }  // namespace twinray

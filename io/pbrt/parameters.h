@@ -32,6 +32,13 @@ enum class PbrtType {
   texture
 };
 
+/// What becomes of a parameter that an Attribute statement gives.
+struct PbrtDefaultUse {
+  bool is_offered = false;  ///< To a statement that asked for what it knows,
+  bool is_asked = false;    ///< and one of them did for this.
+  std::string nearest;      ///< What they know that is named nearly so; empty without any.
+};
+
 /// One parameter: its values are a part of the lists of its PbrtParameters.
 struct PbrtParameter {
   PbrtType type = PbrtType::real;
@@ -39,7 +46,9 @@ struct PbrtParameter {
   PbrtPlace place;           ///< Of "type name".
   bool has_strings = false;  ///< Of a spectrum: it is a name or a file.
   std::size_t first = 0, count = 0;
-  std::optional<PbrtColorSpace> color_space = {};  ///< Of an Attribute: the one where it stands.
+  // Of an Attribute: the color space where it stands, and what becomes of it.
+  std::optional<PbrtColorSpace> color_space = {};
+  std::shared_ptr<PbrtDefaultUse> use = {};
 };
 
 struct NumberRange {
@@ -88,8 +97,13 @@ class PbrtParameters {
   /// The color space of rgb values (the ColorSpace statement).
   PbrtColorSpace color_space = PbrtColorSpace::srgb;
 
-  /// Warns of each parameter that was not asked for, with the nearest name that was.
+  /// Warns of each parameter that was not asked for, with the nearest name that was; of defaults it is kept
+  /// which were.
   void warn_of_unused(WarningList& warnings) const;
+  /// From now on it is kept what becomes of each as a default.
+  void watch();
+  /// Of those: warns of each for which none of the statements asked that it was offered to.
+  void warn_of_unused_defaults(WarningList& warnings) const;
 
   /// "point3"
   static std::string_view type_name(PbrtType type);
@@ -99,6 +113,8 @@ class PbrtParameters {
   void read_one(PbrtLexer& lexer);
   void read_value(const PbrtToken& token, PbrtParameter& parameter);
   void check_count(const PbrtParameter& parameter) const;
+  bool was_asked(const PbrtParameter& parameter) const;
+  void keep_use_of_defaults() const;
   const PbrtParameter* own(std::string_view name) const;
   const PbrtParameter* find_of(const char* name, std::initializer_list<PbrtType> types) const;
   const PbrtParameters& owner_of(const PbrtParameter& parameter) const;

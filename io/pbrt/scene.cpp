@@ -52,6 +52,7 @@ class Reader {
     states_.check_ended();
     if (!is_world_) end.fail("the file ends before WorldBegin: it describes no scene");
     LoadedScene loaded = builder_.finish(float(camera_.shutter.length()) * film_.iso / 100);
+    states_.warn_of_unused_defaults(context_.warnings);
     loaded.summary.unit_name.clear();
     loaded.defaults = film_.defaults;
     loaded.scene.camera = camera_.is_given ? place_camera(camera_, film_, context_)

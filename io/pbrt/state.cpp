@@ -132,8 +132,14 @@ void PbrtStates::add_defaults(const PbrtStatement& statement) {
   auto& defaults = now_.defaults[std::size_t(found - targets.begin())];
   auto more = std::make_shared<PbrtParameters>();
   if (defaults) more->append(*defaults);
-  more->append(statement.parameters);
+  attributes_.push_back(statement.parameters);
+  attributes_.back().watch();
+  more->append(attributes_.back());
   defaults = std::move(more);
+}
+
+void PbrtStates::warn_of_unused_defaults(WarningList& warnings) const {
+  for (const PbrtParameters& parameters : attributes_) parameters.warn_of_unused_defaults(warnings);
 }
 
 void PbrtStates::begin(const PbrtStatement& statement) {

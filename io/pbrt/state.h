@@ -71,6 +71,8 @@ class PbrtStates {
   }
   /// Adds an Attribute statement's parameters to the defaults of what it names.
   void add_defaults(const PbrtStatement& statement);
+  /// Warns of those that none of the statements knew for which they were.
+  void warn_of_unused_defaults(WarningList& warnings) const;
   const std::shared_ptr<const PbrtParameters>& defaults(PbrtTarget target) const {
     return now_.defaults[std::size_t(target)];
   }
@@ -109,6 +111,7 @@ class PbrtStates {
   bool moves_ = false;           ///< Whether something that was placed so far does.
   PbrtState now_;
   std::vector<Saved> saved_;
+  std::vector<PbrtParameters> attributes_;  ///< Of each Attribute statement.
   std::map<std::string, PbrtSpace> systems_;
 };
 

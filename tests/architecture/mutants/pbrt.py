@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Defects in the readers of pbrt scenes, PLY meshes and words that are numbers."""
 from mutant import Mutant
+
 LONGITUDES = "a picture of latitude and longitude lies as in pbrt-v3, +z above, from +x towards +y"
+UNKNOWN_DEFAULTS = "an Attribute that none of the statements knows which it is for is named"
 
 MUTANTS = [
     Mutant("an interface stands before what is there", "io/pbrt/builder.cpp",
@@ -202,4 +204,11 @@ MUTANTS = [
     Mutant("a further camera replaces the first without a word", "io/pbrt/scene.cpp",
            "    if (is_new) return;\n", "    return;\n", "test_io",
            "of two statements about the picture the second one counts, with a warning"),
+    Mutant("defaults that nothing knows are left out without a word", "io/pbrt/scene.cpp",
+           "states_.warn_of_unused_defaults(context_.warnings);", "", "test_io", UNKNOWN_DEFAULTS),
+    Mutant("defaults that nothing was made with count as unknown", "io/pbrt/parameters.cpp",
+           "use.is_offered && !use.is_asked)", "!use.is_asked)", "test_io", UNKNOWN_DEFAULTS),
+    Mutant("a default is unknown that one of several statements does not know", "io/pbrt/parameters.cpp",
+           "use.is_asked = use.is_asked || was_asked(parameter);", "use.is_asked = was_asked(parameter);",
+           "test_io", UNKNOWN_DEFAULTS),
 ]

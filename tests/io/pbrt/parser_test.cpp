@@ -279,6 +279,21 @@ TEST_CASE("Attribute gives defaults until the state that it stands in ends") {
   CHECK(radius(2) == 1);
 }
 
+TEST_CASE("an Attribute that none of the statements knows which it is for is named") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Attribute \"shape\" \"float radis\" 3 \"float zmin\" -1\n"  // The sphere knows the second one,
+      "Attribute \"shape\" \"integer levels\" 3\n"                 // the subdivided surface this,
+      "Attribute \"light\" \"float nonsense\" 3\n"                 // and there is no light.
+      "Shape \"sphere\"\n" +
+      pbrt_triangle +
+      "Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]\n"
+      "Shape \"sphere\"\n");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].text().starts_with(
+      "scene.pbrt:2:19: \"float radis\" is not known to what it is a default for, and left out; \"radius\" "
+      "is\n"));
+}
+
 TEST_CASE("reading statements takes time and memory by their number") {
   // A million: a quadratic reader would not come to its end within the test's time.
   std::string text = "WorldBegin\n";
