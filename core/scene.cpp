@@ -44,6 +44,10 @@ void check_binding(const Scene& scene, std::uint32_t shape) {
   if (binding.light != no_light && binding.light >= scene.lights.size())
     throw Error(
         fmt::format("shape {} names light {}; there are {}", shape, binding.light, scene.lights.size()));
+  if (binding.light != no_light && std::holds_alternative<Interface>(scene.materials[binding.material].model))
+    throw Error(
+        fmt::format("shape {} emits light, but its material {} is no surface: an interface emits none", shape,
+                    binding.material));
   if (binding.asset != no_asset && binding.asset >= scene.assets.size())
     throw Error(
         fmt::format("shape {} names asset {}; there are {}", shape, binding.asset, scene.assets.size()));

@@ -67,6 +67,7 @@ struct ImageTexture {
   TextureFilter filter = TextureFilter::stochastic;
   UvTransform uv;
   CoordinateSet coordinates = CoordinateSet::first;  ///< Those that `uv` maps.
+  bool of_vertices = false;  ///< It is one mesh's colours of vertices (io/vertex_colors.h).
 };
 
 /// The product of two textures.

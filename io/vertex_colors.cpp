@@ -36,15 +36,10 @@ class Blocks {
 
 }  // namespace
 
-bool is_drawn_of_vertices(const ImageTexture& picture) {
-  return picture.filter == TextureFilter::bilinear && picture.image->levels() == 1 &&
-         picture.image->level(0).width > 1;
-}
-
 bool is_drawn_of_vertices(std::span<const Texture> textures, std::uint32_t texture) {
   const TextureModel& model = textures[texture].model;
   const auto* picture = std::get_if<ImageTexture>(&model);
-  bool found = picture && is_drawn_of_vertices(*picture);
+  bool found = picture && picture->of_vertices;
   for_each_part(model, [&](std::uint32_t part) { found = found || is_drawn_of_vertices(textures, part); });
   return found;
 }
@@ -67,7 +62,8 @@ ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32
   levels.push_back(std::move(image));  // A smaller level would mix triangles.
   return {.image = std::make_shared<const MipMap>(std::move(levels)),
           .wrap = WrapMode::clamp,
-          .filter = TextureFilter::bilinear};
+          .filter = TextureFilter::bilinear,
+          .of_vertices = true};
 }
 
 void set_drawn_uvs(Mesh& mesh, CoordinateSet set) {

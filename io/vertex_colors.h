@@ -20,7 +20,6 @@ ImageTexture draw_vertices(const Mesh& mesh, const std::function<Rgb(std::uint32
 /// Whether a texture, or one that it is made of, is such a picture: then the surface has the coordinates of
 /// its mesh's.
 bool is_drawn_of_vertices(std::span<const Texture> textures, std::uint32_t texture);
-bool is_drawn_of_vertices(const ImageTexture& picture);
 
 /// Gives a mesh the texture coordinates of such pictures of it, in place of its own; or as its second ones.
 void set_drawn_uvs(Mesh& mesh, CoordinateSet set = CoordinateSet::first);

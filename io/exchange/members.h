@@ -294,12 +294,12 @@ void members(const Visit& visit, MeshLight& light) {
   visit("radiance", light.radiance, Valid::not_negative);
   visit("side", light.side);
 }
-/// How the picture of a MeshLight lies.
+/// How the picture of a MeshLight lies, which older files do not say.
 template <typename Visit, typename Light>
 void picture_members(const Visit& visit, Light& light) {
-  visit("wrap", light.wrap);
-  visit("filter", light.filter);
-  visit("uv", light.uv);
+  visit.later("wrap", light.wrap);
+  visit.later("filter", light.filter);
+  visit.later("uv", light.uv);
 }
 template <typename Visit>
 void members(const Visit& visit, SphereLight& light) {

@@ -144,10 +144,9 @@ class SceneReader {
     return std::make_shared<const Image>(image);
   }
 
-  /// Older files do not say how it lies.
   void read_picture(const Entry& entry, MeshLight& light) const {
     light.picture = read_picture(entry, has_luminance);
-    if (entry.has("uv")) picture_members(MemberReader(entry), light);
+    picture_members(MemberReader(entry), light);
   }
 
   void read_glow(const Entry& entry, Glow& glow) const {

@@ -59,7 +59,10 @@ std::vector<Texture> read_textures(const Entry& file, const std::string& path, c
                                 DirectionMixTexture{}, NoiseTexture{}, PlacedTexture{}})};
     if (const auto* noise = std::get_if<NoiseTexture>(&texture.model); noise && noise->octaves.most > 64)
       entry.fail("octaves", fmt::format("is {}; at most 64 are valid", noise->octaves.most));
-    if (auto* image = std::get_if<ImageTexture>(&texture.model)) image->image = pictures.of(entry);
+    if (auto* image = std::get_if<ImageTexture>(&texture.model)) {
+      image->image = pictures.of(entry);
+      image->of_vertices = entry.has("of_vertices") && entry.flag("of_vertices");
+    }
     textures.push_back(std::move(texture));
   });
   return textures;

@@ -83,6 +83,7 @@ Json textures_json(const Scene& scene, const std::string& path) {
     if (!picture) continue;
     list.back()["file"] = name_of_file(exchange_texture_file(path, first[i]));
     if (picture->levels() == 1) list.back()["mip_map"] = false;
+    if (std::get<ImageTexture>(texture.model).of_vertices) list.back()["of_vertices"] = true;
   }
   return list;
 }

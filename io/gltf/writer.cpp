@@ -8,12 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/shading_map.h"
 #include "io/first_coordinates.h"
 #include "io/gltf/uv_area.h"
 #include "io/gltf/writer_material.h"
 #include "io/gltf/writer_view.h"
 #include "io/joined_mesh.h"
 #include "io/pbrt/quadric.h"
+#include "io/turned_emitter.h"
 
 namespace twinray {
 namespace {
@@ -91,7 +93,11 @@ class Shapes {
     // What needs no coordinates here is a picture of one color there, which needs some.
     else if (joined.uvs.empty() && is_textured(scene_, scene_.bindings[shape]))
       joined.uvs.assign(joined.positions.size(), {});
-    if (is_turned(shape)) turn(joined.triangles);
+    if (is_turned(shape)) {
+      turn(joined.triangles);
+      name_turned_emitter(scene_, std::get<MeshLight>(scene_.lights[scene_.bindings[shape].light].source),
+                          file_.output.losses);
+    }
     const bool is_handed = !joined.uvs.empty() && materials_.needs_handedness(scene_.bindings[shape]);
     std::vector<Triangle> sides[2];
     for (const Triangle& triangle : joined.triangles)
@@ -131,9 +137,13 @@ class Shapes {
   void name_sphere(std::uint32_t shape) {
     file_.output.losses.add("a sphere is a mesh of 256 edges around",
                             "{} spheres are meshes of 256 edges around");
-    if (is_textured(scene_, scene_.bindings[shape]))
+    const ShapeBinding& binding = scene_.bindings[shape];
+    if (is_textured(scene_, binding))
       file_.output.losses.add("the texture of a sphere lies around its z axis",
                               "the textures of {} spheres lie around their z axes");
+    if (is_anisotropic(scene_.materials[binding.material]))
+      file_.output.losses.add("the facets of a sphere are longer around its z axis",
+                              "the facets of {} spheres are longer around their z axes");
   }
 
   /// Nodes that scale one sphere of this material.

@@ -386,6 +386,13 @@ void GltfMaterialWriter::add_emission(std::uint32_t light, GltfJson& json) {
     radiance = radiance * most;
     json["emissiveTexture"] = textures_.emission_info(*mesh, most);
   }
+  // Readers may refuse more than 10^9.
+  constexpr float most_radiance = 0x1p29f;
+  if (const float most = max_component(radiance); most > most_radiance) {
+    radiance = radiance * (most_radiance / most);
+    file_.output.losses.add("a surface that emits is 5 x 10^8 bright, and no more",
+                            "{} surfaces that emit are 5 x 10^8 bright, and no more");
+  }
   const GltfLight emitted = gltf_light(radiance);
   json["emissiveFactor"] = gltf_color(emitted.color);
   json["doubleSided"] = mesh && mesh->side == EmissionSide::both;

@@ -147,8 +147,10 @@ void add_gltf_camera(const SceneToWrite& input, GltfFile& file) {
   }
   const Vec3 extent = input.scene.geometry->bounds().extent();
   const float reach = std::max(max_abs(extent), 1e-6f) + max_abs(camera.position);
-  const float near = camera.clip_near > 0 ? camera.clip_near : near_part * reach;
-  const float far = std::isfinite(camera.clip_far) ? camera.clip_far : far_part * reach;
+  // What stands for one of both distances lies on its side of the other one.
+  const float near = camera.clip_near > 0 ? camera.clip_near : near_part * std::min(reach, camera.clip_far);
+  const float far =
+      std::isfinite(camera.clip_far) ? camera.clip_far : far_part * std::max(reach, camera.clip_near);
   GltfJson lens;
   if (camera.projection == Projection::orthographic) {
     lens = {{"type", "orthographic"},

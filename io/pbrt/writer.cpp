@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/shading_map.h"
 #include "io/first_coordinates.h"
 #include "io/output_file.h"
 #include "io/pbrt/text.h"
@@ -89,13 +90,19 @@ class Shapes {
 
   /// pbrt's coordinates go around the z axis, ours are octahedral.
   void name_coordinates(const ShapeBinding& binding, std::size_t spheres) {
-    if (!is_textured(scene_, binding)) return;
-    for (std::size_t i = 0; i < spheres; ++i)
-      output_.losses.add("the texture of a sphere lies as pbrt's spheres have it",
-                         "the textures of {} spheres lie as pbrt's spheres have them");
+    for (std::size_t i = 0; i < spheres; ++i) {
+      if (is_textured(scene_, binding))
+        output_.losses.add("the texture of a sphere lies as pbrt's spheres have it",
+                           "the textures of {} spheres lie as pbrt's spheres have them");
+      if (is_anisotropic(scene_.materials[binding.material]))
+        output_.losses.add("the facets of a sphere lie as pbrt's spheres have them",
+                           "the facets of {} spheres lie as pbrt's spheres have them");
+    }
   }
 
+  /// One without a radius shows nothing, and is an error there.
   void add_sphere(const Sphere& sphere, const std::string& alpha) {
+    if (!(sphere.radius > 0)) return;
     const Vec3& c = sphere.center;
     text_ += pbrt_transform(Transform::translation(double(c.x), double(c.y), double(c.z))) +
              "Shape \"sphere\"" + pbrt_real("radius", sphere.radius) + alpha + "\n";

@@ -58,9 +58,11 @@ std::string lens(const Camera& camera) {
 std::string perspective(const Camera& camera, const RenderDefaults::Resolution& size) {
   const float shorter = std::min(camera.tan_half_width, camera.tan_half_height);
   const double degrees = 2 * degrees_per_turn * atan2_turns(double(shorter), 1);
-  const bool is_plain = camera.frame_center == Vec2{0, 0} && has_aspect(camera, size);
-  return "Camera \"perspective\"" + pbrt_real("fov", float(degrees)) +
-         (is_plain ? "" : window(camera, shorter)) + lens(camera);
+  // A window says more exactly how narrow or how wide others are.
+  const bool is_usual = degrees >= 0.01 && degrees <= 179;
+  const bool is_plain = is_usual && camera.frame_center == Vec2{0, 0} && has_aspect(camera, size);
+  return "Camera \"perspective\"" + pbrt_real("fov", is_usual ? float(degrees) : 90) +
+         (is_plain ? "" : window(camera, is_usual ? shorter : 1)) + lens(camera);
 }
 
 /// What sees within an angle becomes a plane that is as high, as far as it goes.
@@ -145,7 +147,18 @@ void name_lens_losses(const Camera& camera, const RenderDefaults::Resolution& si
     losses.add("the camera's film is moved, for pbrt cannot have it where it is");
 }
 
+/// Whether a panorama's frame is not all that there is to be seen.
+bool is_partial(const Camera& camera) {
+  const Camera whole = with_panorama(camera, camera.projection, camera.tan_half_width);
+  return camera.tan_half_width != whole.tan_half_width || camera.tan_half_height != whole.tan_half_height ||
+         camera.frame_center != whole.frame_center;
+}
+
 void name_losses(const Camera& camera, const RenderDefaults::Resolution& size, Losses& losses) {
+  const bool is_sphere =
+      camera.projection == Projection::latitude_longitude || camera.projection == Projection::equal_area;
+  if (is_sphere && is_partial(camera))
+    losses.add("the camera's frame is all around, for pbrt's spherical cameras see no part of it");
   if (camera.projection == Projection::fisheye)
     losses.add("the fisheye camera is a perspective one, whose frame is as wide as far as a plane goes");
   if (camera.clip_near > 0 || std::isfinite(camera.clip_far))

@@ -4,15 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "core/angle.h"
+#include "core/direction_map.h"
 #include "core/elementary.h"
 #include "core/frame.h"
 #include "io/pbrt/emitted_picture.h"
 #include "io/pbrt/text.h"
 #include "io/picture/equal_area.h"
 #include "io/picture/image_file.h"
+#include "io/turned_emitter.h"
 
 namespace twinray {
 namespace {
@@ -27,6 +30,21 @@ Transform columns(const Vec3& x, const Vec3& y, const Vec3& z) {
   for (int row = 0; row < 3; ++row)
     t.m[row][0] = double(x[row]), t.m[row][1] = double(y[row]), t.m[row][2] = double(z[row]);
   return t;
+}
+
+/// A picture whose width has about this ratio to its height, and no side of which is shorter than it was; a
+/// small one is larger, so that the ratio is nearly exact.
+Image stretched(const Image& picture, double ratio) {
+  constexpr double least = 512, most = 8192;
+  const double width = std::max(double(picture.width), picture.height * ratio), height = width / ratio;
+  const double scale =
+      std::min(std::max(1.0, least / std::max(width, height)), most / std::max(width, height));
+  const auto pixels = [](double side) { return std::max(1, int(std::lround(side))); };
+  Image image(pixels(width * scale), pixels(height * scale));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      image.at(x, y) = clamped_value(picture, {(x + 0.5) / image.width, (y + 0.5) / image.height});
+  return image;
 }
 
 /// A picture times a factor: pbrt has a number there, not a colour.
@@ -123,16 +141,28 @@ class Writer {
   }
   /// The light's y axis is the picture's z axis.
   void add(const GoniometricLight& light) {
+    if (!std::all_of(light.map->pixels.begin(), light.map->pixels.end(), is_grey))
+      lose("goniometric", "shines in one color, by the mean of its picture's channels");
     const Transform swap{{{1, 0, 0, 0}, {0, 0, 1, 0}, {0, 1, 0, 0}}};
     statement(moved(light.rotation * swap, light.position), "goniometric",
               pbrt_rgb("I", light.intensity) + picture({square(light.map, light.layout, "goniometric"), 1}));
+  }
+  /// pbrt's frames have their pictures' sides.
+  std::shared_ptr<const Image> of_frame(const ProjectionLight& light) {
+    const Image& picture = *light.picture;
+    const double width = picture.width, height = picture.height;
+    const double ratio = double(light.tan_half_width) / double(light.tan_half_height);
+    constexpr double tolerance = 1e-6;
+    if (std::fabs(ratio * height / width - 1) < tolerance) return light.picture;
+    lose("projection", "has a picture that is drawn anew, with the sides of its frame");
+    return std::make_shared<const Image>(stretched(picture, ratio));
   }
   /// "fov" is that of the picture's shorter side.
   void add(const ProjectionLight& light) {
     const float shorter = std::min(light.tan_half_width, light.tan_half_height);
     statement(moved(columns(light.right, light.up, light.forward), light.position), "projection",
               pbrt_real("fov", float(2 * degrees_per_turn * atan2_turns(double(shorter), 1))) +
-                  picture(scaled(light.picture, light.intensity)));
+                  picture(scaled(of_frame(light), light.intensity)));
   }
 
   SceneOutput& output_;
@@ -154,6 +184,7 @@ std::string pbrt_area_light(const Scene& scene, std::uint32_t light, SceneOutput
   if (const auto* sphere = std::get_if<SphereLight>(&source))
     return begin + pbrt_rgb("L", sphere->radiance) + "\n";
   const auto& mesh = std::get<MeshLight>(source);
+  name_turned_emitter(scene, mesh, output.losses);
   std::string text = begin;
   text += mesh.picture ? picture_parameters(scaled(emitted_picture(mesh), mesh.radiance), light, output)
                        : pbrt_rgb("L", mesh.radiance);

@@ -135,7 +135,7 @@ std::string PbrtTextureWriter::mapping(const UvTransform& uv) {
 }
 
 std::string PbrtTextureWriter::image_rest(const ImageTexture& texture, PbrtTextureKind kind) {
-  if (is_drawn_of_vertices(texture))
+  if (texture.of_vertices)
     output_.losses.add("the colors of vertices are a picture, which is filtered across triangles",
                        "{} pictures are the colors of vertices, and are filtered across triangles");
   return "\"imagemap\"" + pbrt_word("filename", picture(*texture.image, kind)) +

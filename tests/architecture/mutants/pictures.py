@@ -70,7 +70,7 @@ MUTANTS = [
            "nearest(*light.picture, light.wrap, at)", "nearest(*light.picture, WrapMode::clamp, at)",
            "test_integrators", "the picture of a lamp is seen, from the sides that emit"),
     Mutant("a lamp's picture is read as it stands", "io/exchange/reader.cpp",
-           'if (entry.has("uv")) picture_members', "if (false) picture_members", "test_io",
+           "picture_members(MemberReader(entry), light);", "", "test_io",
            "a scene in exchange form is read with all its bits, whatever is in it"),
     Mutant("a picture that an OBJ file's surface emits ends", "io/obj/material.cpp",
            "glow.wrap = map.wrap;", "", "test_io",

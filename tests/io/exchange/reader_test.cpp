@@ -294,35 +294,6 @@ TEST_CASE("a picture of an exchange form has the role and the smaller copies tha
   CHECK(picture(3)->levels() == 1);
 }
 
-TEST_CASE("a picture that a mesh emits may be below 0 in a channel, no other, and not in its luminance") {
-  const auto error = [](const LightSource& source, const Rgb& pixel) -> std::string {
-    Scene scene = scene_of(box_mesh(), Lambert{});
-    Image emitted(2, 2);
-    emitted.pixels[3] = pixel;
-    const auto kept = std::make_shared<const Image>(emitted);
-    scene.lights = {{"", source}};
-    if (auto* mesh = std::get_if<MeshLight>(&scene.lights[0].source)) {
-      mesh->picture = kept;
-      scene.bindings[0].light = 0;
-    } else {
-      std::get<EnvironmentLight>(scene.lights[0].source).map = kept;
-    }
-    try {
-      const RoundTrip trip = round_trip(scene, "a.json");
-      if (std::holds_alternative<MeshLight>(source))
-        CHECK(std::get<MeshLight>(trip.scene.lights[0].source).picture->pixels == emitted.pixels);
-    } catch (const Error& fault) {
-      return fault.what();
-    }
-    return "";
-  };
-  constexpr Rgb dark{-1, 1, 1}, darker{1, -1, 1};
-  CHECK(error(MeshLight{}, dark) == "");
-  CHECK(error(MeshLight{}, darker).ends_with("a-light-0.exr has a pixel that is no radiance"));
-  CHECK(error(EnvironmentLight{}, white) == "");
-  CHECK(error(EnvironmentLight{}, dark).ends_with("a-light-0.exr has a pixel that is no radiance"));
-}
-
 TEST_CASE("what is wrong in an exchange form is said with its entry and what would be valid") {
   CHECK(error_of(small()) == "");
   const auto wrong = [](const char* pointer, const nlohmann::json& value) {
@@ -341,6 +312,8 @@ TEST_CASE("what is wrong in an exchange form is said with its entry and what wou
   CHECK(wrong("/materials/1/type", "gold")
             .starts_with("a.json: materials[1]: \"type\" is \"gold\"; valid are lambert, mirror,"));
   CHECK(wrong("/materials/1/eta", {1, 2}) == "a.json: materials[1]: \"eta\" has 2 elements; it must have 3");
+  CHECK(wrong("/materials/1", {{"name", ""}, {"type", "interface"}}) ==
+        "a.json: shape 0 emits light, but its material 1 is no surface: an interface emits none");
   CHECK(wrong("/materials/1/eta/2", -1) ==
         "a.json: materials[1]: \"eta\" is -1; it must be a float, and not negative");
   CHECK(wrong("/materials/1/k/0", 1e300) ==

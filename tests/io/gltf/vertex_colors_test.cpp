@@ -80,6 +80,23 @@ TEST_CASE("written gltf: colors and alphas of vertices are those of vertices aga
     }
 }
 
+TEST_CASE("written gltf: what vertices have stays theirs through exchange form, other pictures do not") {
+  Mesh mesh = bare_triangle();
+  const ImageTexture colors = draw_vertices(mesh, [](std::uint32_t i) { return white * (0.3f * float(i)); });
+  for (const bool of_vertices : {true, false}) {
+    Scene scene = drawn(mesh, {{"colors", colors}}, no_texture);
+    scene.materials[0].textures.push_back({MaterialInput::reflectance, 0});
+    std::get<ImageTexture>(scene.textures[0].model).of_vertices = of_vertices;
+    const Scene exchanged = round_trip(scene, "a.json").scene;
+    CHECK(std::get<ImageTexture>(exchanged.textures[0].model).of_vertices == of_vertices);
+    const std::string text = round_trip(exchanged, "a.gltf").text;
+    CHECK((text.find("COLOR_0") != std::string::npos) == of_vertices);
+    CHECK((text.find("images") != std::string::npos) == !of_vertices);
+    const std::vector<std::string> warnings = round_trip(exchanged, "a.pbrt").warnings;
+    CHECK(warnings.empty() == !of_vertices);
+  }
+}
+
 TEST_CASE("written gltf: a limit of the alphas of vertices comes back as one") {
   const Mesh mesh = bare_triangle();
   const ImageTexture alphas = draw_vertices(mesh, [](std::uint32_t i) { return white * (0.5f * float(i)); });

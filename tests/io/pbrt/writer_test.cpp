@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/alpha_test.h"
+#include "core/direction_map.h"
 #include "core/instance.h"
 #include "core/textured_material.h"
 #include "io/scene_file.h"
@@ -90,6 +91,24 @@ TEST_CASE("written pbrt: what pbrt's cameras have not is named") {
                              "the fisheye camera is a perspective one, whose frame is as wide as far as a "
                              "plane goes"});
   CHECK(trip.scene.camera.tan_half_height == Approx(std::tan(0.5)));
+}
+
+TEST_CASE("written pbrt: a part of a panorama is named, and very narrow and wide views come back") {
+  Scene scene = scene_of(plain_triangle(), Lambert{});
+  for (const Projection projection : {Projection::latitude_longitude, Projection::equal_area}) {
+    scene.camera = with_panorama({}, projection, 0);
+    scene.camera.tan_half_height *= 0.5f;
+    CHECK(round_trip(scene, "a.pbrt").warnings ==
+          std::vector<std::string>{
+              "the camera's frame is all around, for pbrt's spherical cameras see no part of it"});
+  }
+  for (const float tangent : {1e-7f, 3e4f}) {
+    scene.camera = Camera{};
+    scene.camera.tan_half_width = scene.camera.tan_half_height = tangent;
+    const RoundTrip trip = round_trip(scene, "a.pbrt");
+    CHECK(trip.warnings.empty());
+    CHECK(trip.scene.camera.tan_half_height == Approx(tangent));
+  }
 }
 
 TEST_CASE("written pbrt: what a file said of its picture stays, and nothing else is said of the filter") {
@@ -276,6 +295,60 @@ TEST_CASE("written pbrt: lights that pbrt has not are others of the same strengt
   CHECK(double(mean_of(*sky.map).r) == Approx(sum / weights).epsilon(2e-3));
   CHECK(mean_of(*sky.map).b == Approx(1));
   CHECK(std::get<DirectionalLight>(trip.scene.lights[2].source).irradiance == Rgb{4, 5, 6});
+}
+
+TEST_CASE("written pbrt: a projection keeps its frame's sides, lost goniometric colors are named") {
+  Scene scene = scene_of(plain_triangle(), Lambert{});
+  const auto picture = std::make_shared<Image>(2, 2);
+  picture->pixels = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  ProjectionLight slide{.intensity = {1, 1, 1}, .picture = picture};
+  slide.tan_half_width = 0.2f, slide.tan_half_height = 0.6f;
+  scene.lights = {{"", slide}, {"", GoniometricLight{{}, {1, 1, 1}, picture, MapLayout::equal_area}}};
+  const RoundTrip trip = round_trip(scene, "a.pbrt");
+  CHECK(trip.warnings ==
+        std::vector<std::string>{
+            "a projection light has a picture that is drawn anew, with the sides of its frame",
+            "a goniometric light shines in one color, by the mean of its picture's channels"});
+  const auto& shown = std::get<ProjectionLight>(trip.scene.lights[0].source);
+  CHECK(shown.tan_half_width == Approx(0.2).epsilon(0.01));
+  CHECK(shown.tan_half_height == Approx(0.6).epsilon(0.01));
+  const auto light = [](const ProjectionLight& of, Vec2 frame) {
+    return clamped_value(*of.picture, {double(frame.x), double(frame.y)});
+  };
+  for (const Vec2 frame : {Vec2{0.1f, 0.2f}, {0.5f, 0.5f}, {0.4f, 0.7f}, {0.9f, 0.6f}}) {
+    const Rgb change = light(shown, frame) - light(slide, frame);
+    CHECK(std::fabs(change.r) < 0.01f);
+    CHECK(std::fabs(change.g) < 0.01f);
+    CHECK(std::fabs(change.b) < 0.01f);
+  }
+}
+
+TEST_CASE("written pbrt: spheres have pbrt's directions of facets, and those without a radius are left out") {
+  Scene scene;
+  scene.geometry = std::make_shared<const Geometry>(
+      std::vector<Shape>{SphereSet{"", {{{0, 0, 0}, 1}, {{3, 0, 0}, -0.0f}}}});
+  scene.bindings = {{0}};
+  scene.materials = {{"", Conductor{.roughness = {0.5f, 0.1f}}}};
+  const RoundTrip trip = round_trip(scene, "a.pbrt");
+  CHECK(trip.warnings == std::vector<std::string>{"the facets of 2 spheres lie as pbrt's spheres have them"});
+  CHECK(trip.scene.geometry->shapes().size() == 1);
+  CHECK(round_trip(scene, "a.gltf").warnings ==
+        std::vector<std::string>{"a material of the type conductor is written as a metal of its color",
+                                 "2 spheres are meshes of 256 edges around",
+                                 "the facets of 2 spheres are longer around their z axes"});
+}
+
+TEST_CASE("written pbrt: a surface with an inside whose back emits is named") {
+  Scene scene = scene_of(plain_triangle(), Dielectric{.ior = 1.5f});
+  scene.bindings[0].light = 0;
+  for (const EmissionSide side : {EmissionSide::front, EmissionSide::back}) {
+    scene.lights = {{"", MeshLight{0, {1, 1, 1}, side}}};
+    std::vector<std::string> expected;
+    if (side == EmissionSide::back)
+      expected = {"a surface whose back emits is turned around, so that its outside is within"};
+    CHECK(round_trip(scene, "a.pbrt").warnings == expected);
+    CHECK(round_trip(scene, "a.gltf").warnings == expected);
+  }
 }
 
 TEST_CASE("written pbrt: emitters come back with their side, radiance and picture") {
