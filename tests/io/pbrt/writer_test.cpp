@@ -302,7 +302,7 @@ TEST_CASE("written pbrt: a projection keeps its frame's sides, lost goniometric 
   const auto picture = std::make_shared<Image>(2, 2);
   picture->pixels = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
   ProjectionLight slide{.intensity = {1, 1, 1}, .picture = picture};
-  slide.tan_half_width = 0.2f, slide.tan_half_height = 0.6f;
+  slide.tan_half_width = 0.2f, slide.tan_half_height = 0.37f;
   scene.lights = {{"", slide}, {"", GoniometricLight{{}, {1, 1, 1}, picture, MapLayout::equal_area}}};
   const RoundTrip trip = round_trip(scene, "a.pbrt");
   CHECK(trip.warnings ==
@@ -311,7 +311,7 @@ TEST_CASE("written pbrt: a projection keeps its frame's sides, lost goniometric 
             "a goniometric light shines in one color, by the mean of its picture's channels"});
   const auto& shown = std::get<ProjectionLight>(trip.scene.lights[0].source);
   CHECK(shown.tan_half_width == Approx(0.2).epsilon(0.01));
-  CHECK(shown.tan_half_height == Approx(0.6).epsilon(0.01));
+  CHECK(shown.tan_half_height == Approx(0.37).epsilon(0.01));
   const auto light = [](const ProjectionLight& of, Vec2 frame) {
     return clamped_value(*of.picture, {double(frame.x), double(frame.y)});
   };
