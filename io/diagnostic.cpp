@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/utf8.h"
+
 namespace twinray {
 namespace {
 
@@ -17,12 +19,23 @@ int count_characters(std::string_view text) {
   return int(std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
 }
 
-/// A line may hold tabs or bytes that a terminal would act on.
+/// A line may hold tabs or bytes that a terminal would act on, or that are no letters.
 std::string printable(std::string_view text) {
   std::string result(text);
   for (char& c : result)
     if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-  return result;
+  return as_utf8(result);
+}
+/// So may names in messages, whose lines stay.
+std::string printable_lines(std::string_view text) {
+  std::string result;
+  for (;;) {
+    const std::size_t end = text.find('\n');
+    result += printable(text.substr(0, end));
+    if (end == std::string_view::npos) return result;
+    result += '\n';
+    text.remove_prefix(end + 1);
+  }
 }
 
 /// Moves a cut so that it does not fall into a character.
@@ -91,7 +104,7 @@ Place place_of(const std::string& file, std::string_view text, std::size_t offse
 }
 
 std::string message_at(const Place& place, const std::string& message) {
-  const std::string text = shortened(message);
+  const std::string text = printable_lines(shortened(message));
   if (place.line == 0) return fmt::format("{}: {}", place.file, text);
   return fmt::format("{}:{}:{}: {}\n  {}\n  {:>{}}", place.file, place.line, place.column, text,
                      place.excerpt, '^', place.caret_column);

@@ -71,6 +71,15 @@ Rgb bounded(const Rgb& radiance, const PbrtPlace& place, WarningList& warnings) 
           std::min(radiance.b, max_radiance)};
 }
 
+/// Of lights and of media that emit.
+void expose(Scene& scene, float exposure) {
+  for (Light& light : scene.lights) scale_light(light.source, exposure);
+  for (Material& material : scene.materials) {
+    Rgb& glow = material.interior.glow.radiance;
+    glow = glow * exposure;
+  }
+}
+
 }  // namespace
 
 void PbrtBuilder::add_shape(const std::string& type, const PbrtParameters& parameters,
@@ -333,15 +342,15 @@ LoadedScene PbrtBuilder::finish(float exposure) {
   Scene& scene = loaded.scene;
   scene.lights = std::move(shape_lights_);
   scene.lights.insert(scene.lights.end(), lights_.begin(), lights_.end());
-  for (Light& light : scene.lights)
-    if (exposure != 1) scale_light(light.source, exposure);
-  if (exposure != 1)
-    context_.notes.push_back(fmt::format(
-        "all light of the file is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
   scene.atmosphere = atmosphere;
   scene.bindings = std::move(placed_.bindings);
   scene.assets = std::move(assets_);
   scene.materials = std::move(materials_.materials);
+  if (exposure != 1) {
+    expose(scene, exposure);
+    context_.notes.push_back(fmt::format(
+        "all light of the file is times {:g}, the film's exposure (shutter x iso / 100)", exposure));
+  }
   scene.textures = std::move(materials_.textures.textures);
   scene.densities = std::move(media_.densities);
   scene.geometry = std::make_shared<const Geometry>(

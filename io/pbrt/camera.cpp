@@ -137,6 +137,9 @@ Camera placed_panorama(const Camera& axes, Projection projection) {
 
 }  // namespace
 
+/// In seconds: more than any exposure takes.
+constexpr NumberRange shutter_times{-1e6, 1e6};
+
 PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters, PbrtContext& context) {
   PbrtCamera camera;
   camera.is_given = true;
@@ -153,7 +156,8 @@ PbrtCamera read_camera(const std::string& type, const PbrtParameters& parameters
     camera.lens_radius = parameters.real("lensradius", 0, {0, 1e12});
     camera.focal_distance = parameters.real("focaldistance", 1e6f, {1e-12, 1e30});
   }
-  const float open = parameters.real("shutteropen", 0), close = parameters.real("shutterclose", 1);
+  const float open = parameters.real("shutteropen", 0, shutter_times),
+              close = parameters.real("shutterclose", 1, shutter_times);
   camera.shutter = {open, close};
   if (!(open < close))
     camera.place.fail(

@@ -48,6 +48,18 @@ void check_pairs(const PbrtPlace& place, std::span<const float> pairs, std::size
   if (fault < pairs.size() / 2)
     place.fail(fmt::format("the wavelengths of this spectrum must increase; number {} is {:g}, after {:g}",
                            fault + 1, pairs[2 * fault], pairs[2 * fault - 2]));
+  std::size_t least = 0;
+  float largest = 0;
+  for (std::size_t i = 0; i < pairs.size() / 2; ++i) {
+    if (pairs[2 * i + 1] < pairs[2 * least + 1]) least = i;
+    largest = std::max(largest, pairs[2 * i + 1]);
+  }
+  constexpr float noise = 0.01f;
+  if (const float value = pairs[2 * least + 1]; value < 0 && -value > noise * largest)
+    place.fail(
+        fmt::format("the values of this spectrum must not be negative, but for noise of a hundredth of "
+                    "the largest; number {} is {:g}",
+                    least + 1, value));
 }
 
 Rgb color_of_spectrum(const Spectrum& spectrum, ColorRole role) {
@@ -74,7 +86,7 @@ bool is_in(const Rgb& c, float most) {
 
 void check_range(const Rgb& color, const PbrtParameter& parameter, ColorRole role) {
   const float most = role == ColorRole::reflectance ? 1.0f : 3e38f;
-  if (parameter.type == PbrtType::rgb && !is_in(color, most))
+  if (!is_in(color, most))
     parameter.place.fail(fmt::format("\"{}\" is {:g} {:g} {:g}; each must {}", parameter.name, color.r,
                                      color.g, color.b,
                                      role == ColorRole::reflectance ? "lie in [0, 1]" : "be at least 0"));
@@ -146,7 +158,7 @@ Rgb color_of(const PbrtParameters& parameters, const PbrtParameter& parameter, C
   const bool is_color = parameter.type == PbrtType::rgb || parameter.type == PbrtType::blackbody ||
                         parameter.type == PbrtType::spectrum || parameter.type == PbrtType::real;
   if (!is_color)
-    parameter.place.fail(fmt::format("\"{}\" is of type {} here; valid is rgb, spectrum or blackbody",
+    parameter.place.fail(fmt::format("\"{}\" is of type {} here; valid is rgb, spectrum, blackbody or float",
                                      parameter.name, PbrtParameters::type_name(parameter.type)));
   const std::span<const float> values = parameters.reals(parameter);
   if (parameter.type == PbrtType::spectrum) {
@@ -157,7 +169,11 @@ Rgb color_of(const PbrtParameters& parameters, const PbrtParameter& parameter, C
   if (values.size() != (parameter.type == PbrtType::rgb ? 3 : 1))
     parameter.place.fail(
         fmt::format("\"{}\" has {} numbers; it needs one color", parameter.name, values.size()));
-  if (parameter.type == PbrtType::real) return {values[0], values[0], values[0]};
+  if (parameter.type == PbrtType::real) {
+    const Rgb grey{values[0], values[0], values[0]};
+    check_range(grey, parameter, role);
+    return grey;
+  }
   if (parameter.type == PbrtType::blackbody) {
     if (!(values[0] >= 100 && values[0] <= 1e6))
       parameter.place.fail(

@@ -30,6 +30,10 @@ TEST_CASE("of a long line the part around the place is shown") {
 
 TEST_CASE("bytes that a terminal would act on are shown as spaces") {
   CHECK(place_of("f", "a\x1b[2Jb", 0).excerpt == "a [2Jb");
+  CHECK(place_of("f", "a\xff", 0).excerpt == "a\xc3\xbf");  // Latin-1, where it is no UTF-8.
+  const Place place{.file = "f"};
+  CHECK(message_at(place, "\"a\x1b[31m\xff\x07\" is none;\nvalid is b") ==
+        "f: \"a [31m\xc3\xbf \" is none;\nvalid is b");
 }
 
 TEST_CASE("a place beyond the end is the end, and line ends of Windows are no part of the line") {

@@ -165,6 +165,8 @@ Scene scene_of_every_model() {
                                  varnished(),
                                  oiled(),
                                  clear(),
+                                 Principled{.fuzz_weight = 0.5f},
+                                 Principled{.specular_roughness = 0.4f, .transmission_weight = 0.5f},
                                  Mix{0, 4, 0.3f}};
   std::vector<Shape> shapes = scene.geometry->shapes();
   std::uint64_t seed = 20;

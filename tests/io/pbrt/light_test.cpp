@@ -173,6 +173,25 @@ TEST_CASE("the exposure of film and shutter multiplies all light") {
         "all light of the file is times 2, the film's exposure (shutter x iso / 100)");
 }
 
+TEST_CASE("the exposure of film and shutter multiplies the light of media, within shapes and around all") {
+  const LoadedScene loaded = load_pbrt_text(
+      "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"rgb Le\" [ 3 4 5 ] MediumInterface \"\" \"m\" "
+      "Camera \"perspective\" Film \"rgb\" \"float iso\" 200 WorldBegin MediumInterface \"m\" \"\" "
+      "Material \"interface\" Shape \"sphere\"");
+  int media = 0;
+  for (const Material& material : loaded.scene.materials) {
+    if (is_black(material.interior.absorption)) continue;
+    CHECK(material.interior.glow.radiance == Rgb{6, 8, 10});
+    ++media;
+  }
+  CHECK(media == 2);
+}
+
+TEST_CASE("a shutter that stays open for longer than any exposure is an error") {
+  CHECK_THROWS_WITH(load_pbrt_text("Camera \"perspective\" \"float shutterclose\" 1e38 WorldBegin"),
+                    Catch::Contains("\"shutterclose\" is 1e+38; it must lie in"));
+}
+
 TEST_CASE("a picture of latitude and longitude lies as in pbrt-v3, +z above, from +x towards +y") {
   const test::TemporaryFolder folder;
   write_exr(folder.file("sky.exr"), Image(4, 2, {1, 1, 1}));

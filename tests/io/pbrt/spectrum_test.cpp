@@ -127,11 +127,29 @@ TEST_CASE("spectra come from files and lists, and what is wrong with them is nam
   CHECK_THROWS_WITH(reflectance("\"b.spd\""),
                     Catch::StartsWith("b.spd:1:1: the wavelengths of this spectrum must "
                                       "increase; number 2 is 400, after 400"));
+  CHECK_THROWS_WITH(reflectance("[ 300 .2 500 -.1 900 .2 ]"),
+                    Catch::Contains("the values of this spectrum must not be negative, but for noise of a "
+                                    "hundredth of the largest; number 2 is -0.1"));
+  CHECK(reflectance("[ 300 .2 301 -.001 302 .2 900 .2 ]").g == Approx(0.2).epsilon(1e-6));
   CHECK_THROWS_WITH(reflectance("[ 300 .2 900 ]"),
                     Catch::Contains("a spectrum of 3 numbers; it needs pairs"));
   CHECK_THROWS_WITH(
       reflectance("\"metal-Au-etta\""),
       Catch::Contains("there is no spectrum \"metal-Au-etta\"; the nearest one is \"metal-Au-eta\""));
+}
+
+TEST_CASE("a float that stands for a color is in its range") {
+  const auto loaded = [](const std::string& words) { return test::load_pbrt_world(words); };
+  const auto reflects = loaded("Material \"diffuse\" \"float reflectance\" .25");
+  CHECK(std::get<Lambert>(reflects.scene.materials[1].model).reflectance == Rgb{0.25f, 0.25f, 0.25f});
+  for (const char* wrong : {"5", "-1"})
+    CHECK_THROWS_WITH(loaded(std::string("Material \"diffuse\" \"float reflectance\" ") + wrong),
+                      Catch::Contains("each must lie in [0, 1]"));
+  for (const char* wrong :
+       {"LightSource \"infinite\" \"float L\" -1", "LightSource \"point\" \"float I\" -10",
+        "Material \"conductor\" \"float eta\" -2 \"float k\" 1",
+        "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"float sigma_a\" -1"})
+    CHECK_THROWS_WITH(loaded(wrong), Catch::Contains("each must be at least 0"));
 }
 
 TEST_CASE("rgb of other color spaces is turned into sRGB, and white stays white") {
