@@ -174,10 +174,13 @@ TEST_CASE("the exposure of film and shutter multiplies all light") {
 }
 
 TEST_CASE("the exposure of film and shutter multiplies the light of media, within shapes and around all") {
+  const auto medium = [](const std::string& name) {
+    return "MakeNamedMedium \"" + name + "\" \"string type\" \"homogeneous\" \"rgb Le\" [ 3 4 5 ] ";
+  };
   const LoadedScene loaded = load_pbrt_text(
-      "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"rgb Le\" [ 3 4 5 ] MediumInterface \"\" \"m\" "
-      "Camera \"perspective\" Film \"rgb\" \"float iso\" 200 WorldBegin MediumInterface \"m\" \"\" "
-      "Material \"interface\" Shape \"sphere\"");
+      medium("fog") + medium("fire") +
+      "MediumInterface \"\" \"fog\" Camera \"perspective\" Film \"rgb\" \"float iso\" 200 WorldBegin "
+      "MediumInterface \"fire\" \"fog\" Material \"interface\" Shape \"sphere\"");
   int media = 0;
   for (const Material& material : loaded.scene.materials) {
     if (is_black(material.interior.absorption)) continue;
