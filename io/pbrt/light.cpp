@@ -128,7 +128,15 @@ std::shared_ptr<const Image> emission_of(const PbrtParameters& parameters, PbrtC
   const LoadedTexture loaded = load_texture(path, {});
   if (!loaded.warning.empty()) place.warn(context.warnings, loaded.warning);
   auto picture = std::make_shared<Image>(loaded.image->image(0));
-  for (Rgb& pixel : picture->pixels) pixel = at_least_zero(pixel);
+  std::size_t negative = 0;
+  for (Rgb& pixel : picture->pixels) {
+    negative += std::min({pixel.r, pixel.g, pixel.b}) < 0 ? 1 : 0;
+    pixel = at_least_zero(pixel);
+  }
+  if (negative > 0)
+    place.warn(context.warnings,
+               fmt::format("{} of the picture's {} pixels are below 0 in a channel, which emits nothing",
+                           negative, picture->pixels.size()));
   return picture;
 }
 

@@ -301,8 +301,13 @@ void warn_of(const PbrtParameter& parameter, const char* where, const std::strin
 
 void PbrtParameters::warn_of_unused(WarningList& warnings) const {
   const std::vector<std::string_view> known(asked_.begin(), asked_.end());
-  for (const PbrtParameter& parameter : parameters_)
-    if (!was_asked(parameter)) warn_of(parameter, "here", nearest_name(parameter.name, known), warnings);
+  for (const PbrtParameter& parameter : parameters_) {
+    if (!was_asked(parameter))
+      warn_of(parameter, "here", nearest_name(parameter.name, known), warnings);
+    else if (const PbrtParameter* last = own(parameter.name); last != &parameter)
+      last->place.warn(warnings,
+                       fmt::format("\"{}\" stands there a second time, and counts here", parameter.name));
+  }
   if (defaults_) keep_use_of_defaults();
 }
 

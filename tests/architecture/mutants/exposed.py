@@ -22,4 +22,10 @@ MUTANTS = [
            "printable_lines(shortened(message))", "shortened(message)", "test_io", TERMINAL),
     Mutant("letters that are none stay in messages", "io/diagnostic.cpp",
            "return as_utf8(result);", "return result;", "test_io", TERMINAL),
+    Mutant("a second parameter of a name wins without a word", "io/pbrt/parameters.cpp",
+           "last != &parameter)", "false)", "test_io",
+           "a parameter that stands in a statement twice is named, and the last one counts"),
+    Mutant("pictures below 0 emit nothing without a word", "io/pbrt/light.cpp",
+           "if (negative > 0)", "if (false)", "test_io",
+           "what a picture that emits has below 0 is named, and is 0"),
 ]

@@ -103,7 +103,7 @@ TEST_CASE("a projector needs a picture, and shines ahead alone where its file is
 TEST_CASE("an area light's picture is times its scale, and has its power over the mean") {
   const test::TemporaryFolder folder;
   Image image(2, 1);
-  image.pixels = {{0.5f, 1, 0.25f}, {0, -3, 0}};
+  image.pixels = {{0.5f, 1, 0.25f}, {}};
   write_exr(folder.file("glow.exr"), image);
   const auto load = [&](const std::string& more, const std::string& shape) {
     std::ofstream(folder.file("a.pbrt")) << "WorldBegin AreaLightSource \"diffuse\" \"string filename\" "
@@ -159,6 +159,22 @@ TEST_CASE("light of a black body has the luminance of its scale") {
   const auto light = light_of<PointLight>("LightSource \"point\" \"blackbody I\" 3000 \"float scale\" 7");
   CHECK(luminance(light.intensity) == Approx(7).epsilon(1e-3));
   CHECK(light.intensity.r > 2 * light.intensity.b);
+}
+
+TEST_CASE("what a picture that emits has below 0 is named, and is 0") {
+  const test::TemporaryFolder folder;
+  Image image(2, 2, {1, 1, 1});
+  image.pixels[3] = {-1, 2, 3};
+  write_exr(folder.file("glow.exr"), image);
+  std::ofstream(folder.file("a.pbrt")) << "WorldBegin AreaLightSource \"diffuse\" \"string filename\" "
+                                          "\"glow.exr\" " +
+                                              pbrt_triangle;
+  const LoadedScene loaded = load_scene(folder.file("a.pbrt"));
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].text().find(
+            "1 of the picture's 4 pixels are below 0 in a channel, which emits nothing") !=
+        std::string::npos);
+  CHECK(std::get<MeshLight>(loaded.scene.lights[0].source).picture->pixels[3] == Rgb{0, 2, 3});
 }
 
 TEST_CASE("the exposure of film and shutter multiplies all light") {

@@ -294,6 +294,17 @@ TEST_CASE("an Attribute that none of the statements knows which it is for is nam
       "is\n"));
 }
 
+TEST_CASE("a parameter that stands in a statement twice is named, and the last one counts") {
+  const LoadedScene loaded = load_pbrt_world(
+      "Attribute \"shape\" \"float radius\" 5\n"
+      "Shape \"sphere\" \"float radius\" 3 \"float radius\" 2\nShape \"sphere\"\n");
+  REQUIRE(loaded.warnings.size() == 1);
+  CHECK(loaded.warnings[0].text().starts_with(
+      "scene.pbrt:3:33: \"radius\" stands there a second time, and counts here\n"));
+  CHECK(loaded.scene.geometry->sphere_set(0)->spheres[0].radius == 2);
+  CHECK(loaded.scene.geometry->sphere_set(1)->spheres[0].radius == 5);
+}
+
 TEST_CASE("reading statements takes time and memory by their number") {
   // A million: a quadratic reader would not come to its end within the test's time.
   std::string text = "WorldBegin\n";
