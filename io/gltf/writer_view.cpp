@@ -40,6 +40,18 @@ void name_camera_losses(const Camera& camera, const RenderDefaults::Resolution& 
     losses.add("the camera's pixels are oblong, which readers may not follow");
 }
 
+/// A perspective frame that readers take, who may refuse one of less or more.
+void limit_frame(Camera& camera, Losses& losses) {
+  constexpr float least_tangent = 1e-5f, longest = 9999;
+  const float height = std::clamp(camera.tan_half_height, least_tangent, 1 / least_tangent);
+  const float ratio = camera.tan_half_width / camera.tan_half_height;
+  const float width = height * std::clamp(ratio, 1 / longest, longest);
+  if (height == camera.tan_half_height && std::fabs(width - height * ratio) <= 1e-6f * width) return;
+  losses.add("the camera's frame is another one: it is too narrow, too wide or too long");
+  camera.tan_half_height = height;
+  camera.tan_half_width = width;
+}
+
 class Lights {
  public:
   Lights(const Scene& scene, GltfFile& file) : scene_(scene), file_(file) {}
@@ -160,6 +172,7 @@ void add_gltf_camera(const SceneToWrite& input, GltfFile& file) {
               {"znear", shortest_decimal(camera.clip_near)},
               {"zfar", shortest_decimal(far)}}}};
   } else {
+    limit_frame(camera, file.output.losses);
     lens = {{"type", "perspective"},
             {"perspective",
              {{"aspectRatio", shortest_decimal(camera.tan_half_width / camera.tan_half_height)},

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scenes with numbers that glTF has not, or not beside others: what is written can be read.
 #include "io/gltf/writer.h"
+
+#include <algorithm>
+
 #include "tests/io/gltf/written.h"
 #include "tests/support/catch.h"
+#include "tests/support/json.h"
 #include "tests/support/round_trip.h"
 
 namespace twinray::test {
@@ -23,6 +27,31 @@ TEST_CASE("written gltf: a camera with one clip distance gets another that lies 
   const RoundTrip far = round_trip(scene, "a.gltf", clipped);
   CHECK(far.scene.camera.clip_near == 9e6f);
   CHECK(far.scene.camera.clip_far > 9e7f);
+}
+
+TEST_CASE("written gltf: frames that readers refuse are others, and are named") {
+  Scene scene = scene_of(triangle(), Lambert{});
+  const auto trip = [&](float width, float height) {
+    scene.camera.is_stretched = true;
+    scene.camera.tan_half_width = width, scene.camera.tan_half_height = height;
+    return round_trip(scene, "a.gltf");
+  };
+  const std::string named = "the camera's frame is another one: it is too narrow, too wide or too long";
+  const auto is_named = [&](const RoundTrip& written) {
+    return std::count(written.warnings.begin(), written.warnings.end(), named) == 1;
+  };
+  const RoundTrip narrow = trip(4e-7f, 3e-7f), wide = trip(4e6f, 3e6f), lengthy = trip(1, 1e-5f);
+  CHECK(is_named(narrow));
+  CHECK(narrow.scene.camera.tan_half_height == Approx(1e-5f));
+  const auto aspect = [](const RoundTrip& written) {
+    return nlohmann::json::parse(written.text)["cameras"][0]["perspective"]["aspectRatio"].get<double>();
+  };
+  CHECK(aspect(narrow) == Approx(4.0 / 3));
+  CHECK(is_named(wide));
+  CHECK(wide.scene.camera.tan_half_height == Approx(1e5f).epsilon(1e-3));
+  CHECK(is_named(lengthy));
+  CHECK(aspect(lengthy) == Approx(9999));
+  CHECK_FALSE(is_named(trip(1e-3f, 2)));
 }
 
 TEST_CASE("written gltf: what emits more than readers take emits as much as they do, in its color") {
