@@ -288,6 +288,11 @@ bool PbrtParameters::was_asked(const PbrtParameter& parameter) const {
   return std::find(asked_.begin(), asked_.end(), parameter.name) != asked_.end();
 }
 
+std::string PbrtParameters::nearest_asked(const PbrtParameter& parameter) const {
+  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+  return nearest_name(parameter.name, known);
+}
+
 namespace {
 
 void warn_of(const PbrtParameter& parameter, const char* where, const std::string& nearest,
@@ -300,10 +305,9 @@ void warn_of(const PbrtParameter& parameter, const char* where, const std::strin
 }  // namespace
 
 void PbrtParameters::warn_of_unused(WarningList& warnings) const {
-  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
   for (const PbrtParameter& parameter : parameters_) {
     if (!was_asked(parameter))
-      warn_of(parameter, "here", nearest_name(parameter.name, known), warnings);
+      warn_of(parameter, "here", nearest_asked(parameter), warnings);
     else if (const PbrtParameter* last = own(parameter.name); last != &parameter)
       last->place.warn(warnings,
                        fmt::format("\"{}\" stands there a second time, and counts here", parameter.name));
@@ -312,12 +316,11 @@ void PbrtParameters::warn_of_unused(WarningList& warnings) const {
 }
 
 void PbrtParameters::keep_use_of_defaults() const {
-  const std::vector<std::string_view> known(asked_.begin(), asked_.end());
   for (const PbrtParameter& parameter : defaults_->parameters_) {
     PbrtDefaultUse& use = *parameter.use;
-    use.is_offered = true;
     use.is_asked = use.is_asked || was_asked(parameter);
-    if (!use.is_asked && use.nearest.empty()) use.nearest = nearest_name(parameter.name, known);
+    if (!use.is_asked && !use.is_offered) use.nearest = nearest_asked(parameter);
+    use.is_offered = true;
   }
 }
 

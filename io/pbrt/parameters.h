@@ -36,7 +36,7 @@ enum class PbrtType {
 struct PbrtDefaultUse {
   bool is_offered = false;  ///< To a statement that asked for what it knows,
   bool is_asked = false;    ///< and one of them did for this.
-  std::string nearest;      ///< What they know that is named nearly so; empty without any.
+  std::string nearest;      ///< What the first one knows that is named nearly so; empty without any.
 };
 
 /// One parameter: its values are a part of the lists of its PbrtParameters.
@@ -114,6 +114,7 @@ class PbrtParameters {
   void read_value(const PbrtToken& token, PbrtParameter& parameter);
   void check_count(const PbrtParameter& parameter) const;
   bool was_asked(const PbrtParameter& parameter) const;
+  std::string nearest_asked(const PbrtParameter& parameter) const;
   void keep_use_of_defaults() const;
   const PbrtParameter* own(std::string_view name) const;
   const PbrtParameter* find_of(const char* name, std::initializer_list<PbrtType> types) const;
